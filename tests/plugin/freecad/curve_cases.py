@@ -368,6 +368,32 @@ class Bridges(DocumentCase):
             curves.make("BridgeCurve", one)
 
 
+    def test_each_end_has_its_own_order(self):
+        one = Part.Arc(App.Vector(0, 0, 0), App.Vector(7, 3, 0), App.Vector(10, 10, 0)).toShape()
+        other = Part.Arc(App.Vector(30, 30, 4), App.Vector(40, 35, 2), App.Vector(50, 30, 0))
+        other = other.toShape()
+        for first in range(4):
+            for second in range(4):
+                orders = {"first_order": "G%d" % first, "second_order": "G%d" % second}
+                made = curves.make("BridgeCurve", [one, other], **orders)
+                edge = made.shape.Edges[0]
+                self.assertEqual(edge.Curve.Degree, first + second + 1)
+                start, end = edge.ParameterRange
+                for order, at, arc, arc_at in (
+                    (first, start, one, one.LastParameter),
+                    (second, end, other, other.FirstParameter),
+                ):
+                    with self.subTest(orders, at=at):
+                        gap = (edge.valueAt(at) - arc.valueAt(arc_at)).Length
+                        angle = edge.tangentAt(at).cross(arc.tangentAt(arc_at)).Length
+                        jump = abs(edge.curvatureAt(at) - arc.curvatureAt(arc_at))
+                        self.assertLess(gap, 1e-9)
+                        self.assertEqual((angle < 1e-9, jump < 1e-9), (order > 0, order > 1))
+                self.assertIn("first edge G%d and the second G%d" % (first, second), made.summary)
+                tensions = ["first_tension"] * (first > 0) + ["second_tension"] * (second > 0)
+                self.assertEqual(list(made.report["handles"]), tensions)
+
+
 class Joins(DocumentCase):
     def test_edges_of_any_direction_join_and_their_other_ends_stay(self):
         one = Part.makeLine(App.Vector(20, 0, 0), App.Vector(0, 0, 0))

@@ -15,7 +15,7 @@ import Part
 from curve_cases import wavy
 from curve_window_cases import CurveWindow
 from PySide import QtCore, QtGui
-from window import count, messages, mouse_event, pause, picture, settle, whole_window
+from window import count, messages, mouse_event, pause, picture, press_key, settle, whole_window
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.feature import report_of
@@ -34,8 +34,17 @@ from freecad.seamwright.gui.widgets.qt import QtWidgets
 FEW, MANY = 20, 300
 
 
-def drag(start, end, steps=8):
-    """Drag with the left button between points of the plane z = 0, in a view from above."""
+def lit():
+    """The name of the object that lights up under the mouse, or ""."""
+    found = Gui.Selection.getPreselection()
+    return found.ObjectName if found is not None else ""
+
+
+def drag(start, end, steps=8, held=True, each=lambda: None):
+    """Drag with the left button between points of the plane z = 0, in a view from above.
+
+    ``held``: whether the button is pressed. ``each`` is called after each event.
+    """
     view = Gui.activeDocument().activeView()
     camera = view.getCameraNode()
     (place,) = [
@@ -52,15 +61,18 @@ def drag(start, end, steps=8):
         return QtCore.QPointF(across, place.height() / 2 - (y - centre[1]) * scale)
 
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    down = left if held else none
     events = [
         (QtCore.QEvent.MouseMove, 0, none, none),
         (QtCore.QEvent.MouseButtonPress, 0, left, left),
-        *((QtCore.QEvent.MouseMove, k / steps, none, left) for k in range(1, steps + 1)),
+        *((QtCore.QEvent.MouseMove, k / steps, none, down) for k in range(1, steps + 1)),
         (QtCore.QEvent.MouseButtonRelease, 1, left, none),
     ]
-    for kind, share, button, held in events:
-        mouse_event(place, at(share), kind, button, held)
-        pause(0.03)
+    for kind, share, button, buttons in events:
+        if held or kind == QtCore.QEvent.MouseMove:
+            mouse_event(place, at(share), kind, button, buttons)
+            pause(0.03)
+            each()
 
 
 def pixels(colours):
@@ -110,6 +122,33 @@ class Selecting(CurveWindow):
 
 
 class Handles(CurveWindow):
+    def test_each_end_of_a_bridge_has_its_continuity(self):
+        ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in ends
+        ]
+        self.doc.recompute()
+        obj, panel = self.start("BridgeCurve", *lines)
+        first, second = (panel.options.fields[name] for name in ("first_order", "second_order"))
+        for field, key, times in ((first, QtCore.Qt.Key_Up, 2), (second, QtCore.Qt.Key_Down, 1)):
+            field.widget.setFocus()
+            for _ in range(times):
+                press_key(key)
+                settle()
+            self.wait()
+        self.fit()
+        whole_window("bridge-orders")
+        self.assertEqual((obj.FirstOrder, obj.SecondOrder), ("G0", "G3"))
+        self.assertEqual(obj.Shape.Edges[0].Curve.Degree, 4)
+        self.assertEqual(list(panel._handles), ["second_tension"])
+        self.assertFalse(panel.options.fields["first_tension"].widget.isVisible())
+        self.press_undo()
+        self.wait()
+        self.assertEqual((obj.FirstOrder, obj.SecondOrder), ("G0", "G2"))
+        self.ok()
+        self.assertEqual(obj.Shape.Edges[0].Curve.Degree, 3)
+
     def test_a_tension_is_dragged_with_the_mouse(self):
         ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
         lines = [
@@ -141,6 +180,33 @@ class Handles(CurveWindow):
         self.assertEqual(len(obj.Shape.Edges), 1)
         self.cancel()
         self.assertEqual(self.made(), [])
+
+
+    def test_nothing_lights_up_while_a_handle_is_dragged(self):
+        ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in ends
+        ]
+        plate = models.add(self.doc, Part.makePlane(100, 100, App.Vector(-20, -50, -1)), "Plate")
+        self.doc.recompute()
+        _, panel = self.start("BridgeCurve", *lines)
+        view = Gui.activeDocument().activeView()
+        view.viewTop()
+        view.fitAll()
+        settle(0.5)
+        reach = math.hypot(30, 20) / 3
+        hovered = []
+        drag((10 + reach, 0), (10 + 2 * reach, 0), steps=20, each=lambda: hovered.append(lit()))
+        self.assertNotEqual(hovered[0], "", "before the drag")
+        self.assertIn("", hovered)
+        self.assertEqual(set(hovered[hovered.index("") : -1]), {""})
+        self.wait()
+        drag((60, -20), (70, -30), held=False, each=lambda: hovered.append(lit()))
+        self.assertEqual(hovered[-1], plate.Name, "after the drag")
+        self.cancel()
+        drag((60, -20), (70, -30), held=False, each=lambda: hovered.append(lit()))
+        self.assertEqual(hovered[-1], plate.Name)
 
 
 class Combs(CurveWindow):

@@ -86,6 +86,27 @@ class Objects(DocumentCase):
     def source(self):
         return models.add(self.doc, Part.Compound(vertices(WAVE)), "Points")
 
+    def test_a_bridge_with_one_order_for_both_ends_gets_two(self):
+        line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(10, 0, 0)), "Line")
+        other = Part.makeLine(App.Vector(20, 5, 0), App.Vector(30, 5, 0))
+        obj = curves.create("BridgeCurve", [line, models.add(self.doc, other, "Other")])
+        for name in ("FirstOrder", "SecondOrder"):
+            obj.removeProperty(name)
+        obj.addProperty("App::PropertyEnumeration", "Order")
+        obj.Order = ["G1", "G2", "G3"]
+        obj.Order = "G3"
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            self.doc = App.openDocument(path)
+        obj = self.doc.getObject("BridgeCurve")
+        self.assertNotIn("Order", obj.PropertiesList)
+        self.assertEqual((obj.FirstOrder, obj.SecondOrder), ("G3", "G3"))
+        obj.SecondOrder = "G0"
+        self.doc.recompute()
+        self.assertEqual(obj.Shape.Edges[0].Curve.Degree, 4)
+
     def test_each_kind_follows_its_source_and_is_one_step(self):
         line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(10, 0, 0)), "Line")
         other = models.add(

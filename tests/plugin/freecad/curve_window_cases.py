@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Curves in FreeCAD's window; run by run_freecad.py --window."""
 
+import math
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import models
 import Part
 from curve_cases import RING, WAVE, slot, vertices, wavy
-from window import PanelWindow, click, messages, settle, whole_window
+from PySide import QtCore
+from window import PanelWindow, click, messages, press_key, settle, whole_window
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.curves.kinds import KINDS
@@ -48,6 +51,26 @@ class CurveWindow(PanelWindow):
 
 
 class Panel(CurveWindow):
+    def test_enter_in_a_field_keeps_the_number_that_was_typed(self):
+        lines = [
+            models.add(self.doc, Part.makeLine(App.Vector(*one), App.Vector(*other)), "Line")
+            for one, other in (((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0)))
+        ]
+        self.doc.recompute()
+        obj, panel = self.start("BridgeCurve", *lines)
+        field = panel.options.fields["first_tension"].widget
+        field.setFocus()
+        field.selectAll()
+        for letter in "2.5":
+            press_key(ord(letter), text=letter)
+        press_key(QtCore.Qt.Key_Return)
+        settle(1.0)
+        self.assertIsNone(obj.ViewObject.Proxy.panel, "FreeCAD's Enter is OK")
+        self.assertEqual(obj.FirstTension, 2.5)
+        self.assertAlmostEqual(
+            obj.Shape.Edges[0].Curve.getPole(2).x - 10, 2.5 * math.hypot(30, 20) / 5, delta=1e-6
+        )
+
     def test_each_kind_is_made_accepted_undone_and_done_again(self):
         line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(10, 0, 0)), "Line")
         other = models.add(

@@ -15,7 +15,7 @@ from match_cases import text_of
 
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import fill_text, new_seams
+from freecad.seamwright.plain import fill_misses, fill_text, new_seams
 
 
 #: The octant of a ball of 4 mm has 33.5 mm3. The volume under a fill of three sides differs from it
@@ -269,9 +269,21 @@ class Holes(FillCase):
         self.assertRegex(obj.Summary, "between Face[1-5] and the fill")
         seams = fill_text.every_seam(fill.report_of(obj))
         self.assertTrue(seams and all(seam["edges"] == [] for seam in seams))
+        self.assertAlmostEqual(obj.Rejected.Area, 100, delta=1e-6)
+        self.assertAlmostEqual(obj.Rejected.BoundBox.DiagonalLength, 200**0.5, delta=1e-6)
+        lines = fill_misses.lines(fill.report_of(obj))
+        outside = [
+            shares for points, shares in lines
+            if all(min(abs(at - end) for at in point[1:] for end in (0, 10)) < 1e-6
+                   for point in points)
+        ]  # fmt: skip
+        self.assertEqual(len(outside), 8)
+        for shares in outside:  # 90 degrees, and 0.01 are allowed
+            self.assertLess(max(abs(share - 9000) for share in shares), 1e-3, shares)
         self.assertAlmostEqual(max(seam["angle_deg"]["upper"] for seam in seams), 90, delta=1e-6)
         obj.KeepAnyway = True
         self.doc.recompute()
+        self.assertTrue(obj.Rejected.isNull())
         self.assertEqual((fill.error_text(obj), obj.Filled, obj.Reached), ("", 1, False))
         self.assertTrue(obj.Summary.endswith("G1 is not met, kept anyway."), obj.Summary)
         obj.KeepAnyway, obj.Target = False, "G0"

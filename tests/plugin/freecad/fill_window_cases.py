@@ -13,15 +13,18 @@ import Part
 from PySide import QtCore
 
 from window import (
-    CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
+    CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, press_escape,
+    press_key, settle, whole_window
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, fill
-from freecad.seamwright.plain import new_seams
+from freecad.seamwright.plain import fill_misses, new_seams
 
 FILL = "Seamwright_UmbrellaFill"
 BAND = (255, 217, 0)
 FEW, MANY = 60, 1500
+LEGEND = QtCore.QRect(0, 0, 420, 160)
+MODEL = QtCore.QRect(0, 165, 1200, 635)
 RESULT = len(new_seams.COLUMNS) - 1
 
 
@@ -153,6 +156,67 @@ class Filling(FillWindow):
         self.ok()
         self.assertEqual((obj.Filled, obj.Reached, self.visible()), (1, False, [obj.Name]))
         self.assertIn("kept anyway", obj.Summary)
+
+    def test_the_best_fill_is_drawn_and_its_tolerances_are_taken(self):
+        self.source.Shape = models.panel_with_hole()
+        self.doc.recompute()
+        obj, panel = self.start()
+        self.assertFalse(panel.allow.isVisible())
+        field = panel.tolerances.fields["AngleTolerance"]
+        field.lineEdit().setFocus()
+        field.lineEdit().selectAll()
+        for letter in "1e-9":
+            press_key(ord(letter.upper()), text=letter)
+        self.preview(panel)
+        self.assertEqual((obj.AngleTolerance.Value, obj.Filled), (1e-9, 0))
+        self.assertTrue(panel.after.isEnabled() and panel.allow.isVisible())
+        self.fit()
+        worst = fill_misses.RAMP[-1][1]
+        shown = picture("fill-missed")
+        self.assertGreater(tinted(shown), MANY)
+        self.assertGreater(count(shown, worst, LEGEND), FEW)
+        self.assertGreater(count(shown, worst, MODEL, reach=60), FEW)
+        whole_window("fill-missed")
+        click_row(panel.table, 0)
+        marked = picture("fill-missed-row")
+        whole_window("fill-missed-row")
+        self.assertGreater(count(marked, BAND), FEW)
+        panel.table.clearSelection()
+        self.fit()
+        click(panel.before, panel.before.rect().center())
+        plain = picture("fill-missed-before")
+        self.assertEqual((tinted(plain), count(plain, worst, LEGEND)), (0, 0))
+        click(panel.after, panel.after.rect().center())
+        self.assertGreater(tinted(picture("fill-missed-again")), MANY)
+        click(panel.allow, panel.allow.rect().center())
+        self.preview(panel)
+        whole_window("fill-allowed")
+        self.assertEqual((obj.Filled, obj.Reached), (1, True), obj.Summary)
+        self.assertFalse(panel.allow.isVisible())
+        self.assertGreater(obj.AngleTolerance.Value, 1e-9)
+        self.assertLess(obj.AngleTolerance.Value, 0.01)
+        self.assertEqual(count(picture("fill-allowed-view"), worst, LEGEND), 0)
+        self.press_undo()
+        self.assertEqual((obj.AngleTolerance.Value, obj.Filled), (1e-9, 0))
+        self.assertGreater(tinted(picture("fill-missed-undone")), MANY)
+        press_escape()
+        settle()
+        self.assertEqual(self.made(), [])
+        closed = picture("fill-missed-closed")
+        self.assertEqual((tinted(closed), count(closed, worst, LEGEND)), (0, 0))
+
+    def test_a_fill_that_misses_is_drawn_over_the_face_that_it_would_replace(self):
+        box = models.add(self.doc, Part.makeBox(10, 10, 10), "Cube")
+        self.source.ViewObject.Visibility = False
+        self.doc.recompute()
+        obj, panel = self.start("Face6", source=box)
+        panel.tolerances.level.setCurrentText("G2")
+        self.preview(panel)
+        self.fit()
+        self.assertEqual((obj.Filled, self.visible()), (0, ["Cube"]))
+        whole_window("fill-missed-face")
+        self.assertGreater(tinted(picture("fill-missed-face-view")), MANY)
+        self.cancel()
 
     def test_cancel_takes_all_of_it_back_and_a_later_change_too(self):
         for undo in (1, 0):

@@ -183,7 +183,7 @@ class CurvePictures(Pictures):
     def test_bridge(self):
         one = self.bezier((0, 0, 0), (12, 14, 0), (24, 16, 0), (32, 12, 0))
         other = self.bezier((54, 30, 0), (66, 34, 0), (78, 26, 0), (84, 10, 0))
-        combed(curves.create("BridgeCurve", [one, other], order="G3"), 2.0)
+        combed(curves.create("BridgeCurve", [one, other], first_order="G3", second_order="G3"), 2.0)
         take("bridge", "viewTop")
 
     def test_join(self):

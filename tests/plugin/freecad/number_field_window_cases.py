@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 from surface_cases import at_x, sheet
 from window import PanelWindow, click, messages, settle, whole_window
 
-from freecad.seamwright.document import analysis
+from freecad.seamwright.document import analysis, repair
 from freecad.seamwright.document.maps import kinds as maps
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.gui.widgets.number_field import (
@@ -18,8 +18,9 @@ from freecad.seamwright.gui.widgets.number_field import (
     NumberField,
 )
 from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.plain import rows
 
-INTERNAL, IMPERIAL = 0, 2
+INTERNAL, IMPERIAL, INCHES = 0, 2, 3
 
 
 class Fields(PanelWindow):
@@ -73,6 +74,34 @@ class Fields(PanelWindow):
             for value in (25.4, 0.0254, 0.001, 1e-6):
                 field.setValue(value)
                 self.assertEqual(self.enter(field, field.text()), value)
+
+    def test_tables_have_the_unit_of_the_fields(self):
+        self.addCleanup(App.Units.setSchema, INTERNAL)
+        obj, panel = self.block_analysis()
+        panel.reject()
+        (place,) = [n for n, each in enumerate(rows.COLUMNS) if each.field == "length_mm"]
+        found = {}
+        for schema in (INTERNAL, INCHES):
+            App.Units.setSchema(schema)
+            obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+            settle()
+            whole_window("units-%d" % schema)
+            panel = obj.ViewObject.Proxy.panel
+            model = panel.seam_table.model
+            text = model.data(model.index(0, place))
+            found[schema] = model.headerData(place, QtCore.Qt.Horizontal), float(text)
+            self.assertIn(panel.tolerances.fields["GapTolerance"].text()[-2:], found[schema][0])
+            panel.reject()
+            settle()
+        (mm, length), (inches, shorter) = found[INTERNAL], found[INCHES]
+        self.assertEqual((mm, inches), ("Length mm", "Length in"))
+        self.assertAlmostEqual(length / 25.4, shorter, delta=1e-3 * length)
+        mended = repair.create(obj.Analysed[0])
+        mended.ViewObject.Proxy.doubleClicked(mended.ViewObject)
+        settle()
+        heading = mended.ViewObject.Proxy.panel.table.horizontalHeaderItem(3)
+        self.assertEqual(heading.text(), "Gap in")
+        self.cancel()
 
     def sheet_with(self, **cells):
         """A spreadsheet with these cells, by their aliases."""

@@ -29,6 +29,9 @@ SAMPLES = HERE.parents[3] / "samples"
 #: texts and parts of a window.
 CONTRAST = 3.0
 
+#: The width of FreeCAD's dock of tasks, in pixels.
+NARROW = 300
+
 
 def luminance(colour):
     """The relative luminance of a QColor, 0 to 1."""
@@ -66,7 +69,12 @@ class Panels(WindowCase):
             self.assertTrue(QtWidgets.QApplication.instance().styleSheet())
 
     def check(self, form, name):
-        """Look at a panel that is open."""
+        """Look at a panel that is open, and at the panel in a dock as FreeCAD makes it."""
+        self.check_as_it_is(form, name)
+        Gui.getMainWindow().resizeDocks([dock_of(form)], [NARROW], QtCore.Qt.Horizontal)
+        self.check_as_it_is(form, name + "_narrow")
+
+    def check_as_it_is(self, form, name):
         settle(0.5)
         whole_window("look_%s" % name)
         screen = QtWidgets.QApplication.primaryScreen().grabWindow(0)

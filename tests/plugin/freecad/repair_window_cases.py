@@ -14,7 +14,7 @@ from PySide import QtCore
 
 from window import (
     CANCELLED, PICTURE, PanelWindow, camera, click, click_row, count, messages, picture,
-    report_view, settle, whole_window
+    press_key, report_view, settle, whole_window
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, repair
@@ -253,6 +253,53 @@ class Repairing(RepairWindow):
         self.assertEqual(panel.table.rowCount(), 0)
         self.ok()
         self.assertFalse(obj.Changed)
+
+
+class Steps(RepairWindow):
+    def type_number(self, field, text):
+        """Type a number into a field, a key each 50 ms."""
+        field.setFocus()
+        field.selectAll()
+        for letter in text:
+            press_key(ord(letter.upper()), text=letter)
+            settle(0.05)
+        settle(0.8)
+
+    def test_undo_takes_back_the_last_change_in_the_panel(self):
+        models.add(self.doc, models.broken_panel(), "Other")  # a step of the document before
+        before = self.doc.UndoCount
+        obj, panel = self.start()
+        faces, edges = panel.lists["FixedFaces"], panel.lists["Edges"]
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.doc.Name, "Panel", "Face6")
+        click(faces.add, faces.add.rect().center())
+        settle(0.8)
+        self.type_number(panel.max_move.lineEdit(), "0.05")
+        self.assertEqual((panel.max_move.number(), faces.names()), (0.05, ["Face6"]))
+        self.preview(panel)
+        self.assertEqual(obj.MaxMove.Value, 0.05)
+        click_row(panel.table, 0)
+        click(edges.add, edges.add.rect().center())
+        self.assertEqual(len(edges.names()), 1)
+        self.assertEqual(panel.preview_button.text(), "Update preview")
+        self.press_undo()
+        self.assertEqual((edges.names(), panel.preview_button.text()), ([], "Preview"))
+        self.press_undo()
+        whole_window("repair-undone")
+        self.assertEqual((panel.max_move.number(), faces.names()), (0, ["Face6"]))
+        self.assertEqual(panel.preview_button.text(), "Update preview")
+        self.press_undo()
+        self.press_undo()
+        self.assertEqual((panel.max_move.number(), faces.names()), (0, []))
+        for _ in range(2):
+            press_key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier | QtCore.Qt.ShiftModifier)
+            settle()
+        self.assertEqual((panel.max_move.number(), faces.names()), (0.05, ["Face6"]))
+        self.assertEqual(panel.preview_button.text(), "Preview")
+        self.assertEqual(self.made(), [obj])
+        self.assertIsNotNone(self.doc.getObject("Other"))
+        self.ok()
+        self.assertEqual(self.doc.UndoCount, before + 1)
 
 
 class Choosing(RepairWindow):

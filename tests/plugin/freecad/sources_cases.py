@@ -169,3 +169,35 @@ class Mapping(DocumentCase):
         self.assertEqual([each.Name for each in obj.Analysed], ["Box", "Twin"])
         self.assertEqual(obj.Seams, 24)
         self.assertEqual(self.owners(obj, "edges")["13"], ["Twin", "Edge1"])
+
+    def test_elements_of_links_have_paths_and_paths_have_elements(self):
+        part, inner = (self.doc.addObject("App::Part", name) for name in ("Part", "Inner"))
+        part.addObject(self.doc.addObject("Part::Box", "Box"))
+        inner.addObject(self.doc.addObject("Part::Cylinder", "Cylinder"))
+        inner.Placement = App.Placement(App.Vector(0, 0, 30), App.Rotation(App.Vector(1, 0, 0), 20))
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        body.newObject("PartDesign::AdditiveBox", "First")
+        second = body.newObject("PartDesign::AdditiveBox", "Second")
+        second.Placement.Base.z = 5
+        body.Placement.Base.x = 40
+        twin = self.doc.addObject("App::Link", "Twin")
+        twin.LinkedObject = inner
+        twin.Placement.Base.y = 60
+        for each in (inner, body, twin):
+            part.addObject(each)
+        whole, single, array = (self.doc.addObject("App::Link", "Link%d" % n) for n in range(3))
+        whole.LinkedObject, single.LinkedObject, array.LinkedObject = part, body, part.Group[0]
+        array.ElementCount = 3
+        whole.Placement.Base.x = 200
+        self.doc.recompute()
+        for link in (whole, single, array):
+            shape = Part.getShape(link)
+            for kind, count in (("Edge", len(shape.Edges)), ("Face", len(shape.Faces))):
+                names = ["%s%d" % (kind, number) for number in range(1, count + 1)]
+                paths = sources.paths_in_link(link, names)
+                self.assertEqual(len(set(paths)), count)
+                found = [sources.element_of_link(link, path) for path in paths]
+                self.assertEqual(found, names, link.Name)
+        self.assertTrue(any(path.startswith("Twin.Cylinder.Face") for path in sources.paths_in_link(
+            whole, ["Face%d" % number for number in range(1, len(Part.getShape(whole).Faces) + 1)]
+        )))

@@ -17,6 +17,7 @@ from window import click, count, messages, mouse_event, pause, picture, settle, 
 from freecad.seamwright.document.curves import kinds
 from freecad.seamwright.document.curves.spline import BETA
 from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.document.option_feature import links_of
 from freecad.seamwright.gui.scene.live_curve import LINE_COLOUR, TANGENT, TENSION
 from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.widgets.qt import QtWidgets
@@ -390,6 +391,57 @@ class Picks(SplineWindow):
         self.assertEqual(tuple(obj.Points[1]), (10, 25, 0))
         self.ok()
         self.assertEqual(self.doc.UndoCount, 1)
+
+    def test_a_spline_through_picked_vertices_follows_them(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        box.Placement.Base = App.Vector(0, 40, 0)
+        self.doc.recompute()
+        self.doc.clearUndos()
+        obj, panel = self.begin()
+        for point in WAVE[:3]:
+            click_at(point, aside=(3, 0))
+        key(QtCore.Qt.Key_Return)
+        self.wait()
+        own = [(self.points, "Vertex%d" % number) for number in (1, 2, 3)]
+        self.assertEqual((links_of(obj), list(obj.Points)), (own, []))
+        click(panel.pick, panel.pick.rect().center())
+        click_at((0, 40, 10), aside=(3, 0))
+        key(QtCore.Qt.Key_Return)
+        self.wait()
+        whole_window("spline-vertices")
+        self.assertEqual(list(obj.Points), [])
+        self.assertEqual([source for source, _ in links_of(obj)], [self.points] * 3 + [box])
+        numpy.testing.assert_allclose(self.made_points(obj), [*WAVE[:3], (0, 40, 10)], atol=1e-9)
+        key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
+        self.wait()
+        self.assertEqual(links_of(obj), own)
+        key(QtCore.Qt.Key_Y, QtCore.Qt.ControlModifier)
+        self.wait()
+        self.ok()
+        box.Placement.Base.x = 7
+        self.doc.recompute()
+        numpy.testing.assert_allclose(self.made_points(obj)[3], (7, 40, 10), atol=1e-9)
+        self.assertEqual(self.doc.UndoCount, 1)
+
+    def test_a_vertex_of_what_is_made_from_the_spline_is_copied(self):
+        obj = kinds.create("Spline", [(self.points, "Vertex%d" % number) for number in (1, 2)])
+        made = self.doc.addObject("Part::Extrusion", "Made")
+        made.Base, made.Dir, made.LengthFwd = obj, App.Vector(0, 0, 1), 30
+        made.DirMode = "Custom"
+        self.doc.recompute()
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        view().viewIsometric()
+        view().fitAll()
+        settle(0.4)
+        click(panel.pick, panel.pick.rect().center())
+        click_at((*WAVE[0][:2], 30))
+        key(QtCore.Qt.Key_Return)
+        self.wait()
+        self.assertEqual((len(obj.Points), obj.Sources), (3, []))
+        numpy.testing.assert_allclose(tuple(obj.Points[2]), (*WAVE[0][:2], 30), atol=1e-9)
+        self.cancel()
 
     def test_a_click_on_the_first_point_closes(self):
         obj, panel = self.begin()

@@ -105,6 +105,7 @@ class Panel(SurfaceWindow):
         self.assertEqual(sorted(self.column(panel, 1)), ["Edge %d" % k for k in range(1, 6)])
         self.assertEqual(set(self.column(panel, 5)), {"G1 is met"})
         self.assertFalse(panel.options.fields["curvature_rel"].widget.isVisible())
+        self.assertEqual(panel.options.fields["degree"].widget.text(), "automatic")
         before = count(picture("umbrella"), INK)
         click_row(panel.table, 1)
         self.assertGreater(count(picture("umbrella-row"), INK), before + 50)

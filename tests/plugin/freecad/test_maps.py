@@ -186,6 +186,13 @@ def test_gap_angle_and_what_a_kink_leaves_out():
             assert found["curvature_per_mm"] == pytest.approx(0, abs=1e-12), "a kink counts once"
 
 
+def test_planes_at_a_right_angle():
+    flat = numpy.zeros((1, 3, 3))
+    normals = [numpy.array([each]) for each in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0))]
+    one, other = (seam_profile.Side(numpy.zeros((1, 3)), each, flat) for each in normals)
+    assert seam_profile.profile(one, other, 1e5, 5.0)["angle_deg"] == pytest.approx(90)
+
+
 def test_a_flat_radius_makes_curvatures_equal():
     one, other = (cylinder_side(numpy.zeros(2), numpy.zeros(2), r) for r in (2e5, 9e5))
     assert seam_profile.profile(one, other, 1e5, 5.0)["curvature_rel"].tolist() == [0, 0]

@@ -506,7 +506,7 @@ def test_filters_count_what_they_show(report):
 def test_copied_rows_are_a_table_of_text(report):
     built = rows.build_rows(report)
     lines = [line.split("\t") for line in rows.cells(built).split("\n")]
-    assert lines[0] == [column.title for column in rows.COLUMNS]
+    assert lines[0] == [column.title.format(unit="mm") for column in rows.COLUMNS]
     assert [line[0] for line in lines[1:]] == [str(row.seam) for row in built]
     assert {len(line) for line in lines} == {len(rows.COLUMNS)}
 

@@ -30,7 +30,8 @@ COMPLETE = ("seamwright_de.ts", "seamwright_zh-CN.ts")
 NOT_SHOWN = re.compile(
     r"kernel_words|report_text|these are: |stripes\.py|distance\.py|nearest\.py"
     r"|choose one of %s|choose from %s|a Part\.Shape is needed|%r|no document to put"
-    r"|Sans Serif|How the last computation ended|[a-z]+ spoke|^\S+: (edge | to |not smooth)"
+    r"|Sans Serif|How the last computation ended|The faces of fills|[a-z]+ spoke"
+    r"|^\S+: (edge | to |not smooth)"
     r"|without result|not repaired|free edge|line of joints|fill, |^\S+: User parameter:"
     r"|^(number_field|expressions)\.py: no"
 )

@@ -67,11 +67,11 @@ def held():
     settle()
 
 
-def press_key(key, modifiers=QtCore.Qt.NoModifier):
+def press_key(key, modifiers=QtCore.Qt.NoModifier, text=""):
     """Press a key: the window gives it to what has the focus."""
     target = Gui.getMainWindow().windowHandle()
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        event = QtGui.QKeyEvent(kind, key, modifiers)
+        event = QtGui.QKeyEvent(kind, key, modifiers, text)
         QtWidgets.QApplication.postEvent(target, event)
 
 

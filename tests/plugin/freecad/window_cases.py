@@ -10,6 +10,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import ImportGui
 import models
+import Part
 from PySide import QtCore
 
 from window import (
@@ -223,6 +224,40 @@ class Panel(WindowCase):
             self.assertEqual(chosen, [place])
             self.assertEqual(camera(), before)
         self.assertGreater(count(picture("picked"), (255, 217, 0)), FEW)
+
+    def test_a_row_selects_an_edge_in_a_link_to_a_part(self):
+        part = self.doc.addObject("App::Part", "Part")
+        inner = self.doc.addObject("App::Part", "Inner")
+        inner.Placement = App.Placement(App.Vector(0, 40, 0), App.Rotation(App.Vector(1, 0, 0), 30))
+        part.addObject(inner)
+        for owner, name in ((part, "One"), (inner, "Two")):
+            owner.addObject(models.add(self.doc, models.three_classes(), name))
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        link.Placement.Base.x = 100
+        for each in (part, self.doc.getObject("Prism")):
+            each.ViewObject.Visibility = False
+        self.doc.recompute()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(link)
+        obj, panel = self.analyse()
+        self.assertEqual((obj.Analysed, obj.Seams), ([link], 36))
+        seen = set()
+        for place in (0, 1):
+            click_row(panel.seam_table.table, place)
+            whole_window("link-row-%d" % place)
+            (chosen,) = Gui.Selection.getSelectionEx("", 0)
+            (path,) = chosen.SubElementNames
+            self.assertEqual(chosen.Object, link)
+            seen.add(path.rsplit(".", 1)[0])
+            number = panel.seam_table.chosen_rows()[0].edges[0]
+            box = App.BoundBox()
+            for point in panel.results.lines[number]:
+                box.add(*point)
+            edge = Part.getShape(link, path, needSubElement=True)
+            self.assertLess((edge.BoundBox.Center - box.Center).Length, 1e-3)
+            self.assertEqual(panel.results.elements(panel.seam_table.chosen_rows())[0][0], "Link")
+        self.assertEqual(seen, {"One", "Inner.Two"})
 
     def test_picking_an_edge_of_a_filtered_class_shows_all(self):
         obj, panel = self.analyse()

@@ -9,7 +9,7 @@ import importlib
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.seamwright.document import preferences
+from freecad.seamwright.document import preferences, units
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.gui import ICONS, icon_path, translations
 
@@ -112,4 +112,5 @@ hooks.progress = _progress
 Gui.addIconPath(ICONS)
 Gui.addPreferencePage(_PreferencesPage, "Seamwright")
 preferences.use_colours()
+units.use()
 Gui.addWorkbench(SeamwrightWorkbench())

@@ -6,14 +6,16 @@ path is written into documents: neither rename nor move it.
 """
 
 from collections import Counter
+from typing import Any, NamedTuple
 
 import Part
 
 from freecad.seamwright.document import elements, feature, preferences, properties, sources
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.document.maps.seam_plot import sampled
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.plain import fill_text, kernel, new_seams, repair_text, summary
+from freecad.seamwright.plain import fill_misses, fill_text, kernel, new_seams, repair_text, summary
 from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import FLAG, Option
 
@@ -42,6 +44,9 @@ OPTIONS = (
            "Keep a fill even if it misses the target"),
 )  # fmt: skip
 
+#: Points at which a seam of a fill that was not kept is measured to be drawn.
+SAMPLES = 49
+
 #: Points no further apart than this are the same, up to rounding.
 POINT_MM = 1e-6
 
@@ -64,6 +69,10 @@ RESULTS = (
         "App::PropertyFloat",
         "Upper bound of the relative differences of curvature at the new seams",
     ),
+)
+
+INTERNAL = feature.INTERNAL + (
+    ("Rejected", "Part::PropertyPartShape", "The faces of fills that were not kept"),
 )
 
 
@@ -94,7 +103,7 @@ class UmbrellaFill(feature.Feature):
         )
         adder.add_options(OPTIONS, "Fill")
         adder.add_tolerances(TOLERANCES)
-        adder.add_results(RESULTS, feature.INTERNAL)
+        adder.add_results(RESULTS, INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
 
     @staticmethod
@@ -104,7 +113,7 @@ class UmbrellaFill(feature.Feature):
 
     @staticmethod
     def job(module, obj, private=False):
-        """Return the Job that finds (report, shape)."""
+        """Return the Job that finds (report, shape, faces of fills that were not kept)."""
         return fill_job(module, obj, private)
 
     @staticmethod
@@ -113,7 +122,7 @@ class UmbrellaFill(feature.Feature):
         return bool(fill_text.kept(report))
 
     @staticmethod
-    def store(obj, report, shape):
+    def store(obj, report, shape, rejected=Part.Shape()):
         """Put the results into the read-only properties; the Summary is written last."""
         done = fill_text.kept(report)
         seams = [seam for each in done for seam in each["seams"]]
@@ -125,6 +134,7 @@ class UmbrellaFill(feature.Feature):
         obj.MaxGap = new_seams.bound(seams, "gap_mm")
         obj.MaxAngle = new_seams.bound(seams, "angle_deg")
         obj.MaxCurvature = new_seams.bound(seams, "curvature_rel")
+        obj.Rejected = rejected
         feature.put_shape(obj, shape)
         obj.Summary = fill_text.summary_text(report)
 
@@ -165,7 +175,7 @@ def is_fill(obj):
 
 
 def fill_job(module, obj, private=False):
-    """Return the Job that finds (report, shape).
+    """Return the Job that finds (report, shape, faces of fills that were not kept).
 
     This function and ``run`` of the Job raise SourceError for broken links and ValueError for bad
     values.
@@ -183,41 +193,88 @@ def fill_job(module, obj, private=False):
         obj.Source.Label,
         feature.model_maker(module, shape, private),
     )
-    given = {"target": obj.Target, "keep_anyway": bool(obj.KeepAnyway), **limits}
-    given["jobs"] = preferences.threads()
-    report = empty_report(obj)
+    given = {"target": obj.Target, **limits, "jobs": preferences.threads()}
+    report, keep_anyway = empty_report(obj), bool(obj.KeepAnyway)
 
     def run(progress):
         model = make()
         holes = [] if faces else _holes(model, limits, label, edges)[1]
         wanted = [{"face": number} for number in faces] or [{"hole": hole["id"]} for hole in holes]
         outlines = {hole["id"]: fill_text.edges_of(hole) for hole in holes}
-        return (*_fill_each(model, given, wanted, progress), outlines)
+        return _fill_each(model, given, wanted, keep_anyway, progress), outlines
 
     def finish(found):
-        entries, shapes, outlines = found
-        entries, last = _joined(
-            entries, [None if model is None else model.to_freecad() for model in shapes]
-        )
+        fills, outlines = found
+        entries = [each.entry for each in fills]
+        shapes = [each.model.to_freecad() if each.kept else None for each in fills]
+        rejected = [face for each in fills for face in _rejected(each)]
+        entries, last = _joined(entries, shapes)
         for entry in entries:
             _name_source_edges(entry, shape, outlines.get(entry["hole"], ()))
-        return {**report, "fills": entries}, last
+        faces = Part.Compound(rejected) if rejected else Part.Shape()
+        return {**report, "fills": entries}, last, faces
 
     return feature.Job(tr("Filling holes\u2026"), run, finish)
 
 
-def _fill_each(model, given, wanted, progress):
-    """Return (an entry for each of the wanted holes or faces, the model after each fill or None).
+class Fill(NamedTuple):
+    """One fill: its entry in the report, and what the kernel found, a FillReport.
 
-    The last of the wanted holes comes first, so that the numbers of the others stay valid.
+    ``kept``: whether it becomes part of the result.
     """
-    entries, models = [], []
+
+    entry: dict
+    found: Any
+    kept: bool
+
+    @property
+    def model(self):
+        """The model with the fill, or without one where nothing was built."""
+        return self.found.model
+
+
+def _fill_each(model, given, wanted, keep_anyway, progress):
+    """Return a Fill for each of the wanted holes or faces.
+
+    The last of the wanted holes comes first, so that the numbers of the others stay valid. The
+    best fill of each is built, whether it is kept or not.
+    """
+    fills = []
     for index, which in enumerate(reversed(wanted)):  # the numbers of the others stay valid
-        found = model.fill(**which, progress=_part(progress, index, len(wanted)), **given)
-        model = found.model
-        entries.append(fill_text.entry(found.to_dict(), **which))
-        models.append(model if found.filled else None)
-    return entries, models
+        share = _part(progress, index, len(wanted))
+        found = model.fill(**which, keep_anyway=True, progress=share, **given)
+        kept = found.filled and (found.reached or keep_anyway)
+        entry = fill_text.entry({**found.to_dict(), "filled": kept}, **which)
+        fills.append(Fill(entry, found, kept))
+        if kept:
+            model = found.model
+    return fills
+
+
+def _rejected(fill):
+    """Return the new faces of a fill that was not kept; its seams are measured to be drawn."""
+    if fill.kept or not fill.found.filled:
+        return []
+    shape, found = fill.model.to_freecad(), fill.found.to_dict()
+    edges, faces = shape.Edges, shape.Faces
+    limits = {name: found[name] for name in ("gap_mm", "angle_deg", "curvature_rel")}
+    for seam, own in zip(found["outer"] + found["inner"], fill.entry["seams"]):
+        beside = [faces[number - 1] for number in seam["faces"]]
+        along = (_along(edges[n - 1], beside, limits, found["target"]) for n in seam["edges"])
+        own["along"] = [each for each in along if each is not None]
+    return [faces[number - 1] for number in found["faces"]]
+
+
+def _along(edge, faces, limits, target):
+    """Return {points, shares} of an edge: how much of the tolerances each point takes.
+
+    Returns None where a face cannot be evaluated along the edge.
+    """
+    try:
+        _, points, figures = sampled(edge, faces, SAMPLES)
+    except (ValueError, Part.OCCError):
+        return None
+    return {"points": points.tolist(), "shares": fill_misses.shares(figures, limits, target)}
 
 
 def _name_source_edges(entry, shape, outline):

@@ -6,9 +6,13 @@ faces and edges as the sources, not copies.
 """
 
 import FreeCAD as App
+import numpy
 import Part
 
 from freecad.seamwright.plain.language import tr
+
+#: The plurals of kinds of elements that do not end with an s.
+SEVERAL = {"Vertex": "Vertexes"}
 
 
 class SourceError(Exception):
@@ -67,9 +71,15 @@ def expand(objects):
 
 def element_of_link(link, path):
     """Return the name that an element has in the shape of a link: "Face7" for "Box.Face1"."""
-    element = Part.getShape(link, path, needSubElement=True)
-    kind = element.ShapeType
-    several = {"Vertex": "Vertexes"}.get(kind, kind + "s")
+    # FreeCAD 1.0 puts names that stay through changes, which begin with a semicolon, between.
+    *members, name = (each for each in path.split(".") if not each.startswith(";"))
+    if not members:
+        return name
+    member = ".".join(members)
+    kind = name.rstrip("0123456789")
+    several = SEVERAL.get(kind, kind + "s")
+    # FreeCAD's own element of a path may be a copy, so it is found by its number.
+    element = getattr(Part.getShape(link, member + "."), several)[int(name[len(kind) :]) - 1]
     every = enumerate(getattr(Part.getShape(link), several), 1)
     centre = element.BoundBox.Center
     _, number = min(
@@ -78,6 +88,55 @@ def element_of_link(link, path):
         if each.isPartner(element)
     )
     return "%s%d" % (kind, number)
+
+
+def paths_in_link(link, names):
+    """Return the paths by which FreeCAD selects elements of a link: "Box.Face1" for "Face7".
+
+    It is the inverse of ``element_of_link``.
+    """
+    members = list(_members(link))
+    if members == [""]:
+        return names
+    found = []
+    every, whole = {}, Part.getShape(link)
+    for name in names:
+        kind = name.rstrip("0123456789")
+        if kind not in every:
+            every[kind] = _elements_by_path(link, members, kind)
+        paths, shapes, centres = every[kind]
+        element = whole.getElement(name)
+        distances = numpy.linalg.norm(centres - tuple(element.BoundBox.Center), axis=1)
+        places = (place for place in distances.argsort() if shapes[place].isPartner(element))
+        found += [paths[place] for place in places][:1]
+    return found
+
+
+def _members(link, path=""):
+    """Yield the paths of the objects in a link, such as "Part.Box."; "" for a link to one shape."""
+    owner = link.getSubObject(path, 1) if path else link
+    # The shape of a body is that of its last step, and no other step is seen.
+    inner = () if owner.isDerivedFrom("Part::Feature") else owner.getSubObjects()
+    for each in inner:
+        yield from _members(link, path + each)
+    if not inner:
+        yield path
+
+
+def _elements_by_path(link, members, kind):
+    """Return (paths, shapes, centres) of the elements of a kind in the objects of a link."""
+    several = SEVERAL.get(kind, kind + "s")
+    found = [
+        ("%s%s%d" % (path, kind, number), element)
+        for path in members
+        for number, element in enumerate(getattr(Part.getShape(link, path), several), 1)
+    ]
+    centres = [tuple(element.BoundBox.Center) for _, element in found]
+    return (
+        [path for path, _ in found],
+        [element for _, element in found],
+        numpy.array(centres, float).reshape(-1, 3),
+    )
 
 
 def parent_placement(obj):

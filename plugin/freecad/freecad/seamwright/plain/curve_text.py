@@ -177,6 +177,7 @@ def join_text(report):
 
 def bridge_text(report):
     """Return one line about a curve that joins two others."""
-    return tr("Joined G{order} to both edges, {figures}.").format(
-        order=report["order"], figures=figures_text(report)
+    first, second = report["orders"]
+    return tr("Joins the first edge {first} and the second {second}, {figures}.").format(
+        first=first, second=second, figures=figures_text(report)
     )

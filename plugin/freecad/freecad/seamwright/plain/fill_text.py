@@ -11,7 +11,7 @@ The numbers of faces and edges are those of the result; in reasons they are thos
 import math
 import re
 
-from freecad.seamwright.plain import enclosure, new_seams, repair_text, rows, summary
+from freecad.seamwright.plain import enclosure, lengths, new_seams, repair_text, rows, summary
 from freecad.seamwright.plain.language import mark, tr
 
 #: What a report says about the faces at a seam: two new ones, or a new one and a face by its name.
@@ -65,8 +65,9 @@ def hole_text(hole, holes):
     A hole that is not filled by default has a remark.
     """
     sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else tr("no corner")
-    centre = ", ".join("%.4g" % (round(coordinate, 9) + 0.0) for coordinate in hole["centre_mm"])
-    length = "%.4g mm" % hole["length_mm"]
+    place = (round(lengths.shown(coordinate), 9) + 0.0 for coordinate in hole["centre_mm"])
+    centre = ", ".join("%.4g" % coordinate for coordinate in place)
+    length = "%.4g %s" % (lengths.shown(hole["length_mm"]), lengths.unit().name)
     text = tr("Hole {id}: {sides}, length {length}, centre ({centre})").format(
         id=hole["id"], sides=sides, length=length, centre=centre
     )
@@ -159,7 +160,7 @@ def allowing_text(fill, target, tolerance):
     ]
     if not wanted:
         return ""
-    return tr("The best fill needs {tolerances}; Keep anyway shows it.").format(
+    return tr("The best fill needs {tolerances}; Keep anyway keeps it.").format(
         tolerances=", ".join(wanted)
     )
 

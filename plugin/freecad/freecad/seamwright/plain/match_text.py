@@ -9,13 +9,13 @@ report also has the ``target``, the ``tolerance``, the names of the ``faces``, a
 
 import re
 
-from freecad.seamwright.plain import enclosure, kernel_words, rows
+from freecad.seamwright.plain import enclosure, kernel_words, lengths, rows
 from freecad.seamwright.plain.language import mark, tr
 
 #: The figures for which the table has a row.
 FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
 HEADINGS = {
-    "gap_mm": mark("Gap mm"),
+    "gap_mm": mark("Gap {unit}"),
     "angle_deg": mark("Angle \u00b0"),
     "curvature_rel": mark("Curvature %"),
 }
@@ -41,7 +41,8 @@ def table(report):
     """Return [(heading, before, after)] as the panel shows them."""
     sides = (report["before"], report["after"] if report["matched"] else None)
     lines = [
-        (tr(HEADINGS[name]), *(_figure(seam, name, report) for seam in sides)) for name in FIGURES
+        (lengths.titled(HEADINGS[name]), *(_figure(seam, name, report) for seam in sides))
+        for name in FIGURES
     ]
     lines.append((tr("Level"), *(UNKNOWN if seam is None else seam["level"] for seam in sides)))
     lines.append((tr("Certain"), *(_certain(seam) for seam in sides)))
@@ -49,7 +50,7 @@ def table(report):
 
 
 def _figure(seam, name, report):
-    return UNKNOWN if seam is None else rows.figure_text(seam, name, report["tolerance"])
+    return UNKNOWN if seam is None else rows.shown_text(seam, name, report["tolerance"])
 
 
 def _certain(seam):

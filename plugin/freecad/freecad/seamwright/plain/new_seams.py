@@ -19,7 +19,7 @@ COLUMNS = (
     ),
     (mark("Between"), mark("The faces that meet at the seam")),
     (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
-    (mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
+    (mark("Gap {unit}"), mark("Largest distance between the two sides, in {unit}")),
     (mark("Curvature %"), mark("Largest relative difference of curvature, in %")),
     (mark("Result"), mark("Whether the seam certainly meets the target")),
 )
@@ -80,7 +80,7 @@ def build_rows(seams, tolerance, target):
 def _row(index, seam, tolerance, target):
     met = certainly_meets(seam, tolerance, target)
     figures = (
-        rows.figure_text(seam, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel")
+        rows.shown_text(seam, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel")
     )
     return Row(
         index=index,

@@ -59,7 +59,10 @@ COLUMNS = (
         mark("Angle \u00b0"),
         mark("Largest angle between the tangent planes, before and after, in degrees"),
     ),
-    (mark("Gap mm"), mark("Largest distance between the two sides, before and after, in mm")),
+    (
+        mark("Gap {unit}"),
+        mark("Largest distance between the two sides, before and after, in {unit}"),
+    ),
     (mark("Curvature %"), mark("Largest relative difference of curvature, before and after, in %")),
     (mark("Result"), mark("Repaired, or why not")),
 )
@@ -235,7 +238,7 @@ def named(text):
 def _change_text(before, after, name, tolerance):
     """ "0.62 \u2192 \u22641e-9", or the figure before alone where there is none after."""
     texts = [
-        rows.figure_text(seam, name, tolerance) for seam in (before, after) if seam is not None
+        rows.shown_text(seam, name, tolerance) for seam in (before, after) if seam is not None
     ]
     return ARROW.join(texts)
 

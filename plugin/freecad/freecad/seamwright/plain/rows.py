@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The rows of the seam table: the texts of cells, sorting and filtering.
 
-Rows have gaps and lengths in mm, angles in degrees, and curvature differences as ratios, which
-cells show in %. A figure is the report's {lower, upper, at}; ``upper`` is None where no bound is
-known.
+Rows have gaps and lengths in mm, angles in degrees, and curvature differences as ratios. Cells show
+lengths in the unit of the user, and ratios in %. A figure is the report's {lower, upper, at};
+``upper`` is None where no bound is known.
 """
 
 import math
 from dataclasses import dataclass
 
-from freecad.seamwright.plain import enclosure, palette
+from freecad.seamwright.plain import enclosure, lengths, palette
 from freecad.seamwright.plain.language import mark, tr
 
 LEVELS = ("none", "G0", "G1", "G2", "G3")
@@ -97,7 +97,7 @@ class Row:
 
     def figure_text(self, name):
         """Return a figure as a cell shows it."""
-        return figure_text(self._seam, name, self._report["tolerance"])
+        return shown_text(self._seam, name, self._report["tolerance"])
 
     def _names(self, kind):
         qualified = len(self._report.get("freecad", {}).get("objects", ())) > 1
@@ -124,7 +124,7 @@ COLUMNS = (
     Column("seam_class", mark("Class"), mark("Defect, crease or smooth"), numeric=False),
     Column("angle_deg", mark("Angle \u00b0"),
            mark("Largest angle between the tangent planes, in degrees")),
-    Column("gap_mm", mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
+    Column("gap_mm", mark("Gap {unit}"), mark("Largest distance between the two sides, in {unit}")),
     Column("curvature_rel", mark("Curv. %"),
            mark("Largest relative difference of curvature, in %")),
     Column("curvature_change_rel", mark("Change %"),
@@ -136,7 +136,7 @@ COLUMNS = (
            numeric=False),
     Column("edge_text", mark("Edge"), mark("The edge or edges of the seam"), numeric=False),
     Column("face_text", mark("Faces"), mark("The two faces that meet"), numeric=False),
-    Column("length_mm", mark("Length mm"), mark("Length of the seam, in mm")),
+    Column("length_mm", mark("Length {unit}"), mark("Length of the seam, in {unit}")),
 )  # fmt: skip
 
 
@@ -152,11 +152,24 @@ def figure_value(figure):
 
 
 def figure_text(seam, name, tolerance):
-    """Return a figure of a seam as a cell shows it, without unit; a dash if it was not measured."""
+    """Return a figure of a seam without its unit, lengths in mm; a dash if it was not measured."""
+    return _text(seam, name, tolerance, QUANTITIES[name].factor)
+
+
+def shown_text(seam, name, tolerance):
+    """Return a figure of a seam as a cell shows it: lengths are in the unit of the user."""
+    factor = QUANTITIES[name].factor
+    return _text(seam, name, tolerance, lengths.shown(factor) if name == "gap_mm" else factor)
+
+
+def _shown_unit(name):
+    return " " + lengths.unit().name if name == "gap_mm" else QUANTITIES[name].unit
+
+
+def _text(seam, name, tolerance, factor):
     figure = seam.get(name)
     if figure is None:
         return "\u2013"
-    factor = QUANTITIES[name].factor
     limit = tolerance.get(TOLERANCE_OF.get(name, name))
     return enclosure.text(figure, factor, None if limit is None else factor * limit)
 
@@ -264,7 +277,7 @@ def _placed_text(seam, name, tolerance):
     figure = seam.get(name)
     if figure is None:
         return tr("not measured")
-    text = figure_text(seam, name, tolerance) + QUANTITIES[name].unit
+    text = shown_text(seam, name, tolerance) + _shown_unit(name)
     if figure.get("at") is not None:
         text += tr(", largest at {at:.3g} of the edge").format(at=figure["at"])
     # Results of earlier versions have no left_out.
@@ -299,9 +312,9 @@ def worst_label(seam, tolerance):
     if worst is None:
         return ""
     name = WORST_FIGURE[worst["quantity"]]
-    return (
-        "" if seam.get(name) is None else figure_text(seam, name, tolerance) + QUANTITIES[name].unit
-    )
+    if seam.get(name) is None:
+        return ""
+    return shown_text(seam, name, tolerance) + _shown_unit(name)
 
 
 def sort_rows(rows, field, descending=False):
@@ -361,7 +374,7 @@ def shown_edges(report, wanted):
 
 def cells(rows):
     """Return the rows as a table of text: headings and rows, cells separated by tabs."""
-    lines = [[tr(column.title) for column in COLUMNS]]
+    lines = [[lengths.titled(column.title) for column in COLUMNS]]
     lines += [[cell_text(row, column) for column in COLUMNS] for row in rows]
     return "\n".join("\t".join(line) for line in lines)
 
@@ -379,6 +392,8 @@ def cell_text(row, column):
         return tr("yes") if value else tr("no")
     if column.field in SHOWN:
         return row.figure_text(column.field)
+    if column.field == "length_mm":
+        return "\u2013" if value is None else "%.4g" % lengths.shown(value)
     if column.numeric:
         return "\u2013" if value is None else "%.4g" % value
     return value

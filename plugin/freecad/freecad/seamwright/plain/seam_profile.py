@@ -47,12 +47,13 @@ def profile(one, other, flat_radius_mm, crease_deg):
     """
     gaps = numpy.linalg.norm(other.points - one.points, axis=1)
     cosines = (one.normals * other.normals).sum(axis=1)
-    axes = numpy.cross(other.normals, one.normals) * numpy.sign(cosines)[:, None]
+    signs = numpy.where(cosines < 0, -1.0, 1.0)  # the same plane for both senses of a normal
+    axes = numpy.cross(other.normals, one.normals) * signs[:, None]
     sines = numpy.linalg.norm(axes, axis=1)
     angles = numpy.degrees(numpy.arctan2(sines, abs(cosines)))
     turns = _rotations(axes, abs(cosines))
     turned = turns @ other.tensors @ turns.transpose(0, 2, 1)
-    differences = _norms(turned * numpy.sign(cosines)[:, None, None] - one.tensors)
+    differences = _norms(turned * signs[:, None, None] - one.tensors)
     largest = numpy.maximum(_norms(one.tensors), _norms(other.tensors))
     smooth = angles <= crease_deg
     with numpy.errstate(divide="ignore", invalid="ignore"):

@@ -19,7 +19,7 @@ from freecad.seamwright.plain.summary import counted
 COLUMNS = (
     (mark("Place"), mark("The side of the surface, or inside it")),
     (mark("Along"), mark("The edge of the model, or the lines inside the surface")),
-    (mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
+    (mark("Gap {unit}"), mark("Largest distance between the two sides, in {unit}")),
     (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
     (mark("Curvature %"), mark("Largest relative difference of curvature, in %")),
     (mark("Result"), mark("Whether the seam certainly has its level")),
@@ -71,7 +71,7 @@ def build_rows(report):
 
 
 def _row(places, seam, tolerance, met):
-    figures = (rows.figure_text(seam, name, tolerance) for name in FIGURES)
+    figures = (rows.shown_text(seam, name, tolerance) for name in FIGURES)
     name = tr(seam["name"])
     if seam["kind"] == LINE:
         name = tr("line {number}").format(number=name)
@@ -83,7 +83,7 @@ def _together(places, report):
     """Return the Row of several lines that have their level, with the largest figures."""
     seams = [report["seams"][place] for place in places]
     whole = {name: new_seams.largest(seams, name) for name in FIGURES}
-    figures = (rows.figure_text(whole, name, report["tolerance"]) for name in FIGURES)
+    figures = (rows.shown_text(whole, name, report["tolerance"]) for name in FIGURES)
     along = counted(len(seams), LINE)
     verdict = tr("{target} is met").format(target=seams[0]["target"])
     detail = tr("Lines inside the surface at which the curves have their joints")

@@ -14,7 +14,7 @@ from freecad.seamwright.plain import curve_text
 from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, Option
 
-ORDERS = ("G1", "G2", "G3")
+ORDERS = ("G0", "G1", "G2", "G3")
 
 #: The distance of a handle from its end for the tension 1, by the distance of the ends: that of the
 #: inner poles of a cubic.
@@ -28,18 +28,21 @@ class BridgeCurve(Curve):
     LABEL = "Bridge Curve"
     ICON = "seamwright-bridge"
     TIP = (
-        "Make a curve from an end of one selected edge to an end of another one. It continues both "
-        "with their tangents (G1), their curvatures (G2) and the change of these (G3)."
+        "Make a curve from an end of one selected edge to an end of another one. It continues each "
+        "with its own order: position (G0), tangent (G1), curvature (G2) or its change (G3)."
     )
     NEEDS = "select two edges"
     OPTIONS = (
-        Option("Order", "order", CHOICE, "G2", "Continuity", "The continuity at both ends",
-               choices=ORDERS),
+        Option("FirstOrder", "first_order", CHOICE, "G2", "Joins the first",
+               "The continuity with the first edge", choices=ORDERS),
         Option("FirstTension", "first_tension", FLOAT, 1.0, "Tension at the first",
-               "Length of the tangent at the first edge, by the distance of the ends", least=1e-3),
+               "Length of the tangent at the first edge, by the distance of the ends", least=1e-3,
+               used=lambda values: values["first_order"] != "G0"),
+        Option("SecondOrder", "second_order", CHOICE, "G2", "Joins the second",
+               "The continuity with the second edge", choices=ORDERS),
         Option("SecondTension", "second_tension", FLOAT, 1.0, "Tension at the second",
                "Length of the tangent at the second edge, by the distance of the ends",
-               least=1e-3),
+               least=1e-3, used=lambda values: values["second_order"] != "G0"),
         Option("FlipFirst", "flip_first", FLAG, False, "Other end of the first",
                "Begin at the other end of the first edge"),
         Option("FlipSecond", "flip_second", FLAG, False, "Other end of the second",
@@ -66,36 +69,49 @@ class BridgeCurve(Curve):
         return arriving, to_second.reversed(), distance
 
     @classmethod
+    def add_properties(cls, obj):
+        """Add the properties that an object lacks; an older one has one order for both ends."""
+        before = getattr(obj, "Order", None)
+        super().add_properties(obj)
+        if before is not None:
+            obj.FirstOrder = obj.SecondOrder = before
+            obj.removeProperty("Order")
+
+    @classmethod
     def compute(cls, module, gathered, values, progress):
-        """Return (BezierCurve between, its order, the handles of its tensions)."""
+        """Return (BezierCurve between, the handles of its tensions)."""
         arriving, leaving, distance = gathered
-        order = 1 + ORDERS.index(values["order"])
-        before = numpy.asarray(arriving.derivatives(1.0, order))
-        after = numpy.asarray(leaving.derivatives(0.0, order))
+        orders = [ORDERS.index(values[name]) for name in ("first_order", "second_order")]
+        before = numpy.asarray(arriving.derivatives(1.0, max(1, orders[0])))
+        after = numpy.asarray(leaving.derivatives(0.0, max(1, orders[1])))
         speeds = numpy.linalg.norm(before[1]), numpy.linalg.norm(after[1])
-        if min(speeds) == 0:
-            raise ValueError(tr("an edge has no tangent at its end: choose another end"))
-        back = before * (-1.0) ** numpy.arange(order + 1)[:, None]
+        for order, speed in zip(orders, speeds):
+            if order > 0 and speed == 0:
+                raise ValueError(tr("an edge has no tangent at its end: choose another end"))
+        back = before * (-1.0) ** numpy.arange(len(before))[:, None]
         sides = _from_derivatives(module, back).reversed(), _from_derivatives(module, after)
-        rest = [0.0] * (order - 1)
-        first = values["first_tension"] * distance / speeds[0]
-        second = speeds[1] / (values["second_tension"] * distance)
-        curve = module.curve_blend(*sides, [first, *rest], [second, *rest])
+        betas, handles = ([], []), {}
         reach = distance * HANDLE_SHARE
-        handles = {
-            "first_tension": (before[0].tolist(), (before[1] * (reach / speeds[0])).tolist()),
-            "second_tension": (after[0].tolist(), (after[1] * (-reach / speeds[1])).tolist()),
-        }
-        return curve, values["order"], handles
+        if orders[0]:
+            first = values["first_tension"] * distance / speeds[0]
+            betas[0].extend([first, *[0.0] * (orders[0] - 1)])
+            step = before[1] * (reach / speeds[0])
+            handles["first_tension"] = (before[0].tolist(), step.tolist())
+        if orders[1]:
+            second = speeds[1] / (values["second_tension"] * distance)
+            betas[1].extend([second, *[0.0] * (orders[1] - 1)])
+            step = after[1] * (-reach / speeds[1])
+            handles["second_tension"] = (after[0].tolist(), step.tolist())
+        return module.curve_blend(*sides, *betas), handles
 
     @classmethod
     def build(cls, module, found, values):
         """Return (report, wire)."""
-        curve, order, handles = found
+        curve, handles = found
         wire = results.wire_of([module.curve_to_freecad(curve).toShape()])
         report = {
             **results.figures(module, curve, wire.Length),
-            "order": int(order[1:]),
+            "orders": [values["first_order"], values["second_order"]],
             "handles": handles,
         }
         return report, wire

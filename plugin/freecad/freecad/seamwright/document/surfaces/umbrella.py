@@ -90,7 +90,7 @@ class Umbrella(FreeSurface):
         Option("Open", "open", FLAG, False, "Leave the largest sector open",
                "Make no face in the largest sector between two edges"),
         Option("Degree", "degree", COUNT, 0, "Degree", "Of all faces; 0: the lowest that suffices",
-               least=0.0),
+               least=0.0, zero=mark("automatic")),
         Option("Fit", "fit_mm", LENGTH, 1e-3, "Curves within",
                "Largest distance of the curves that take the place of edges which are no single "
                "polynomial curve, such as arcs, in mm", least=1e-9),

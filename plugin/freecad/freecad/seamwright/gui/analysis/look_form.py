@@ -2,9 +2,21 @@
 """The fields for what the view shows of an analysis, besides the filter of the table."""
 
 from freecad.seamwright.gui.scene import seam_view
+from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import summary
 from freecad.seamwright.plain.language import tr
+
+
+class Field(QtWidgets.QWidget):
+    """A widget with its name."""
+
+    def __init__(self, text, widget):
+        super().__init__()
+        line = QtWidgets.QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.addWidget(QtWidgets.QLabel(text))
+        line.addWidget(widget, 1)
 
 
 class LookForm(QtWidgets.QWidget):
@@ -30,11 +42,9 @@ class LookForm(QtWidgets.QWidget):
             )
         )
         self.labels.valueChanged.connect(lambda number: self.changed.emit("WorstLabels", number))
-        line = QtWidgets.QHBoxLayout(self)
-        line.setContentsMargins(0, 0, 0, 0)
+        line = FlowLayout(self)
         for text, widget in ((tr("Colours"), self.colours), (tr("Label the worst"), self.labels)):
-            line.addWidget(QtWidgets.QLabel(text))
-            line.addWidget(widget, 1)
+            line.add(Field(text, widget), 1)
 
     def show_look(self, vobj):
         """Show the properties of a view."""

@@ -16,6 +16,7 @@ from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.dock import widen_dock
+from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_text
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
@@ -282,7 +283,7 @@ class AnalysisPanel:
 
 def _buttons(asked):
     """Return the line of buttons at the end of the panel; each calls ``asked`` with its key."""
-    line = QtWidgets.QHBoxLayout()
+    line = FlowLayout()
     for key, text, tip in (
         ("repair", tr("Repair\u2026"),
          tr("Repair the seams of the selected rows, or all defects if no row is selected")),
@@ -292,7 +293,7 @@ def _buttons(asked):
         button = QtWidgets.QPushButton(text)
         button.setToolTip(tip)
         button.clicked.connect(lambda *_, key=key: asked(key))
-        line.addWidget(button)
+        line.add(button, 1)
     return line
 
 

@@ -3,6 +3,7 @@
 
 from freecad.seamwright.gui.analysis.table_model import SeamTableModel
 from freecad.seamwright.gui.analysis.table_view import SeamTableView
+from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain import filters, palette, rows
 from freecad.seamwright.plain.language import tr
@@ -32,8 +33,8 @@ class SeamTable(QtWidgets.QWidget):
         layout.addWidget(self._build_table())
 
     def _build_filter(self):
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(QtWidgets.QLabel(tr("Show")))
+        line = FlowLayout()
+        line.add(QtWidgets.QLabel(tr("Show")))
         self.filter = QtWidgets.QComboBox()
         self.filter.setToolTip(tr("The seams in the table and in the view"))
         for name, wanted in filters.FILTERS.items():
@@ -43,11 +44,11 @@ class SeamTable(QtWidgets.QWidget):
                     self.filter.count() - 1, _swatch(palette.BY_KEY[wanted].rgb)
                 )
         self.filter.currentIndexChanged.connect(self._filter_changed)
-        line.addWidget(self.filter, 1)
+        line.add(self.filter, 1)
         worst = QtWidgets.QPushButton(tr("Worst first"))
         worst.setToolTip(tr("Sort by class, then by how much the figures exceed the tolerances"))
         worst.clicked.connect(self.sort_worst_first)
-        line.addWidget(worst)
+        line.add(worst)
         return line
 
     def _build_table(self):

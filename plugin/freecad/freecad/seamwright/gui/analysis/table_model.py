@@ -2,8 +2,7 @@
 """The seam table as a Qt model; plain.rows has the texts of cells and the sorting of rows."""
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
-from freecad.seamwright.plain import palette, rows
-from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain import lengths, palette, rows
 
 Qt = QtCore.Qt
 
@@ -72,7 +71,8 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         if orientation != Qt.Horizontal:
             return None
         column = rows.COLUMNS[section]
-        return {Qt.DisplayRole: tr(column.title), Qt.ToolTipRole: tr(column.tip)}.get(role)
+        texts = {Qt.DisplayRole: column.title, Qt.ToolTipRole: column.tip}
+        return lengths.titled(texts[role]) if role in texts else None
 
     def sort(self, column, order=Qt.AscendingOrder):
         """Sort by a column; column -1 means worst first."""

@@ -3,7 +3,7 @@
 
 from freecad.seamwright.gui.widgets.forms import show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
-from freecad.seamwright.plain import rows
+from freecad.seamwright.plain import lengths, rows
 from freecad.seamwright.plain.language import mark, tr
 
 HEIGHT = 260
@@ -88,7 +88,7 @@ class SeamTableView(QtWidgets.QTableView):
     def _widths_of(self, column):
         """Return (least width, width of the whole texts) of a column."""
         texts, shown = self.sizeHintForColumn(column) + 1, rows.COLUMNS[column]
-        title = tr(shown.title)
+        title = lengths.titled(shown.title)
         heading = self.horizontalHeader().fontMetrics().boundingRect(title).width() + MARGIN
         whole = max(texts, heading)
         least = ELASTIC.get(shown.field, max(texts, SMALLEST))

@@ -70,12 +70,11 @@ class NewSeamsPanel(ReplacingPanel):
         for widget in (self.summary, self.table, self.remark):
             layout.addWidget(widget)
         layout.addLayout(self.build_show())
-        self.show_line.addStretch(1)
         return box
 
     def _connect(self):
         super()._connect()
-        self.table.itemSelectionChanged.connect(self._mark_chosen)
+        self.table.itemSelectionChanged.connect(self.mark_chosen)
 
     def read_fields(self):
         """Show the values of the object."""
@@ -123,14 +122,14 @@ class NewSeamsPanel(ReplacingPanel):
         """Show the result or its source."""
         super().show(after)
         if not self._ended:
-            self._mark_chosen()
+            self.mark_chosen()
 
     def select_in_source(self, names):
         """Select edges of the source, if the source is shown."""
         if not self.obj.ViewObject.Visibility:
             self._select([(self.links(SOURCE)[0][0], name) for name in names])
 
-    def _mark_chosen(self):
+    def mark_chosen(self):
         """Mark the seams of the chosen rows if the result is shown, and zoom to them.
 
         New faces that were not kept have no seams in it.

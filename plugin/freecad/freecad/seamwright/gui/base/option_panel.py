@@ -16,6 +16,7 @@ from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.handle import Handle
+from freecad.seamwright.gui.scene.preselection import Preselection
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.fields import OptionForm
@@ -48,6 +49,7 @@ class OptionPanel(ResultPanel):
         super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
         self._links, self.steps = {}, PanelSteps(self)
         self._handles, self._held, self._handle_timer = {}, False, QtCore.QTimer()
+        self._preselection = Preselection(obj.Document.Name)
         self._handle_timer.setInterval(READ_HANDLES_MS)
         self._handle_timer.timeout.connect(self._read_handles)
         self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
@@ -102,6 +104,7 @@ class OptionPanel(ResultPanel):
     def release(self):
         """Stop computing, and remove the handles."""
         self._timer.stop()
+        self._preselection.resume()
         self._show_handles()
 
     # The window.
@@ -232,7 +235,10 @@ class OptionPanel(ResultPanel):
         if dragged and self._timer.live and not self.computation.busy:
             self._preview_in_time()
         held, self._held = self._held, bool(self.held_handles())
-        if held and not self._held:
+        if self._held:
+            self._preselection.pause()
+        elif held:
+            self._preselection.resume()
             self.steps.note()  # a drag that has ended is a step
 
     def held_handles(self):
@@ -260,6 +266,17 @@ class OptionPanel(ResultPanel):
     def link_names(self):
         """Return the names of the properties with sources that the panel changes."""
         return list(self.boxes)
+
+    def shown(self):
+        """Return the values of the fields and the names of the sources; None for a bad text."""
+        try:
+            values = self.field_values()
+        except ValueError:
+            return None
+        links = {name: self.links(name) for name in self.link_names()}
+        return values, {
+            name: [(obj.Name, element) for obj, element in chosen] for name, chosen in links.items()
+        }
 
     def field_values(self):
         """Return the values of the fields as ``show_field_values`` takes them.

@@ -6,15 +6,20 @@ It has a summary, a table of seams, and a choice to show the model before or aft
 
 import Part
 
+from freecad.seamwright.document.properties import differing
+from freecad.seamwright.gui.base.panel_steps import PanelSteps
 from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_form, make_show_line, make_text
-from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain.language import mark, tr
 
 TABLE_HEIGHT = 190
+
+#: Changes that follow each other faster are one step: the digits of a number.
+STEP_AFTER_MS = 500
 
 PREVIEW, PREVIEW_AGAIN = mark("Preview"), mark("Update preview")
 
@@ -28,6 +33,10 @@ class PreviewPanel(ResultPanel):
 
     def __init__(self, obj, created, title, changeable):
         super().__init__(obj, created, title, changeable)
+        self.steps, self._step_timer = PanelSteps(self), QtCore.QTimer()
+        self._step_timer.setSingleShot(True)
+        self._step_timer.setInterval(STEP_AFTER_MS)
+        self._step_timer.timeout.connect(self.steps.note)
         self._build()
         self.computation = Computation(self.form)
         self.read_fields()
@@ -46,6 +55,14 @@ class PreviewPanel(ResultPanel):
 
     def connect_fields(self):
         """Call ``changed`` when a field changes."""
+        raise NotImplementedError
+
+    def shown(self):
+        """Return the values of the fields as ``show_values`` takes them."""
+        raise NotImplementedError
+
+    def show_values(self, values):
+        """Show the values of fields."""
         raise NotImplementedError
 
     def begin(self):
@@ -67,6 +84,16 @@ class PreviewPanel(ResultPanel):
         """Return the text below the table about the chosen rows."""
         return ""
 
+    # What the base asks for.
+
+    def release(self):
+        """Remember no more steps."""
+        self._step_timer.stop()
+
+    def held_handles(self):
+        """Return no handles: the panel has none."""
+        return {}
+
     # The window.
 
     def _build(self):
@@ -82,14 +109,13 @@ class PreviewPanel(ResultPanel):
 
     def _build_show(self):
         self.show_line, self.before, self.after = make_show_line()
-        self.show_line.addStretch(1)
         self.preview_button = QtWidgets.QPushButton(tr(PREVIEW))
         self.preview_button.setToolTip(
             tr("{preview_tip}; nothing is kept until OK is pressed").format(
                 preview_tip=tr(self.PREVIEW_TIP)
             )
         )
-        self.show_line.addWidget(self.preview_button)
+        self.show_line.add(self.preview_button)
         return self.show_line
 
     def _connect(self):
@@ -141,7 +167,17 @@ class PreviewPanel(ResultPanel):
     def changed(self, *_):
         """A field differs from what was computed."""
         super().changed()
+        self._step_timer.start()
         self._name_preview()
+
+    def step(self, back):
+        """Take the last change of a field back, or do it again; nothing is computed."""
+        found = None if self.computation.busy else self.steps.step(back)
+        if found is not None:
+            self.show_values(found)
+            if not differing(self.obj, self.wanted()):
+                self._computed_edits = self._edits
+            self._name_preview()
 
     def _name_preview(self):
         self.preview_button.setText(

@@ -2,10 +2,9 @@
 """A table of seams: rows with texts, of which the last has a colour that tells the outcome."""
 
 from freecad.seamwright.gui.widgets import ink
-from freecad.seamwright.gui.widgets.forms import show_seams_in
+from freecad.seamwright.gui.widgets.forms import name_columns, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain import repair_text
-from freecad.seamwright.plain.language import tr
 
 #: Text colours of the last column, by the state of a row.
 INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
@@ -20,10 +19,8 @@ class RowTable(QtWidgets.QTableWidget):
 
     def __init__(self, columns, height):
         super().__init__(0, len(columns))
-        self.rows = []
-        self.setHorizontalHeaderLabels([tr(heading) for heading, _ in columns])
-        for column, (_, tip) in enumerate(columns):
-            self.horizontalHeaderItem(column).setToolTip(tr(tip))
+        self.rows, self._columns = [], columns
+        name_columns(self, self._columns)
         self.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self, height)
         self.fit_columns()
@@ -38,6 +35,7 @@ class RowTable(QtWidgets.QTableWidget):
     def show_rows(self, rows):
         """Show these rows."""
         self.rows = rows
+        name_columns(self, self._columns)
         self.clearSelection()
         self.setRowCount(len(rows))
         for line, row in enumerate(rows):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The box of a task panel that names the sources of one property."""
 
+from freecad.seamwright.gui.widgets.flow import FlowLayout
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.summary import counted
@@ -40,10 +42,11 @@ class SourceBox(QtWidgets.QGroupBox):
         self.chosen = ChosenText()
         self.use = QtWidgets.QPushButton(tr("Use selection"))
         self.use.setToolTip(tip)
-        self.line = QtWidgets.QHBoxLayout(self)
-        self.line.setContentsMargins(9, 3, 9, 3)
-        self.line.addWidget(self.chosen, 1)
-        self.line.addWidget(self.use)
+        self.line = FlowLayout(self)
+        self.line.setContentsMargins(9, 10, 9, 4)
+        self.chosen.setMinimumWidth(LEAST_WIDTH)
+        self.line.add(self.chosen, 1)
+        self.line.add(self.use)
 
     def show_links(self, chosen):
         """Show the names of [(object, "Edge3" or ""), ...]."""

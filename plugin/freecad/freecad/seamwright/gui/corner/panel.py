@@ -7,11 +7,11 @@ from freecad.seamwright.gui.base.new_seams_panel import NewSeamsPanel
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.plain import corner_text
+from freecad.seamwright.plain import corner_text, lengths
 from freecad.seamwright.plain.language import mark, tr
 
 HEADINGS = (
-    mark("Edge"), mark("Length mm"), mark("Angle"), mark("Radius"), mark("Setback")
+    mark("Edge"), mark("Length {unit}"), mark("Angle"), mark("Radius"), mark("Setback")
 )  # fmt: skip
 RADIUS, SETBACK = 3, 4
 
@@ -29,7 +29,6 @@ class CornerPanel(NewSeamsPanel):
         """Return the box of the edges."""
         box, layout = make_box(tr("Edges"))
         self.edges = QtWidgets.QTableWidget(0, len(HEADINGS))
-        self.edges.setHorizontalHeaderLabels([tr(heading) for heading in HEADINGS])
         self.edges.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.edges.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
         self.edges.verticalHeader().hide()
@@ -110,13 +109,15 @@ class CornerPanel(NewSeamsPanel):
         """
         known = {"Edge%d" % edge["edge"]: edge for edge in corner.report_of(self.obj)["edges"]}
         known = {} if self._links else known
+        self.edges.setHorizontalHeaderLabels([lengths.titled(heading) for heading in HEADINGS])
+        unit = lengths.unit()
         for line, (name, length) in enumerate(zip(self._edges, self._lengths)):
             angle = corner_text.edge_text(known[name]) if name in known else ""
-            for column, text in enumerate((name, "%.6g" % length, angle)):
+            for column, text in enumerate((name, "%.6g" % (length / unit.mm), angle)):
                 self.edges.setItem(line, column, QtWidgets.QTableWidgetItem(text))
             setback = known[name]["setback_mm"] if name in known else None
-            automatic = tr("auto") if setback is None else tr("auto: {setback:.4g} mm").format(
-                setback=setback
+            automatic = tr("auto") if setback is None else tr("auto: {setback:.4g} {unit}").format(
+                setback=setback / unit.mm, unit=unit.name
             )
             self.fields[SETBACK][line].setSpecialValueText(automatic)
 

@@ -7,6 +7,7 @@ from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
 from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.widgets import messages
+from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_text
 from freecad.seamwright.gui.widgets.number_field import LENGTH, PLAIN, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
@@ -59,16 +60,15 @@ class CurvePanel(OptionPanel):
         self.numbers.setVisible(bool(self._points()))
         layout.addWidget(self.numbers)
         for widgets in ((self.comb, self.compare), (self.comb_lines, self.comb_scale)):
-            line = QtWidgets.QHBoxLayout()
+            line = FlowLayout()
             for widget in widgets:
-                line.addWidget(widget)
-            line.addStretch(1)
+                line.add(widget)
             layout.addLayout(line)
         layout.addLayout(self._sketch_line())
         return box
 
     def _sketch_line(self):
-        line = QtWidgets.QHBoxLayout()
+        line = FlowLayout()
         self.sketch = QtWidgets.QPushButton(tr("To Sketch"))
         self.sketch.setToolTip(
             tr(
@@ -81,7 +81,7 @@ class CurvePanel(OptionPanel):
         self.sketch_mm.setToolTip(tr("Largest distance of the arcs from the curve"))
         self.sketch_text = make_text()
         for widget, stretch in ((self.sketch, 0), (self.sketch_mm, 0), (self.sketch_text, 1)):
-            line.addWidget(widget, stretch)
+            line.add(widget, stretch)
         self.sketch_mm.setVisible(not isinstance(self.obj.Proxy, arcs.Arcs))
         return line
 

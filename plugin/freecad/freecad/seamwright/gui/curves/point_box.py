@@ -4,6 +4,7 @@
 from freecad.seamwright.document.curves.spline import INTERPOLATING
 from freecad.seamwright.gui.curves.point_table import PointTable
 from freecad.seamwright.gui.scene.projection import Projection
+from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.forms import make_text
 from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
@@ -19,9 +20,6 @@ HOW_TO_PICK = mark(
 #: Pixels between lines of the grid that is suggested.
 GRID_PX = 12
 
-#: Buttons in a row.
-ROW = 3
-
 
 class PointBox(QtWidgets.QGroupBox):
     """Buttons ``pick``, ``undo``, ``redo``, ``free`` and ``back``, the text ``picked``, the
@@ -33,16 +31,19 @@ class PointBox(QtWidgets.QGroupBox):
         self.pick = _button(
             tr("Pick points"),
             tr(HOW_TO_PICK)
-            + tr(" The points are the spline's own: it no longer follows its sources."),
+            + tr(
+                " If all points are vertices, the spline follows them; else the points are its "
+                "own, and it follows no sources."
+            ),
         )
         self.pick.setCheckable(True)
         self.undo = _button(tr("Undo"), tr("Take the last drag or change of a point back (Ctrl+Z)"))
         self.redo = _button(tr("Redo"), tr("Do it again (Ctrl+Shift+Z)"))
         self.free = _button(tr("Free ends"), tr("Remove the tangents that were given to the ends"))
         self.back = _button(tr("As in sources"), tr("Move all points back to those of the sources"))
-        buttons = QtWidgets.QGridLayout()
-        for place, each in enumerate((self.pick, self.undo, self.redo, self.free, self.back)):
-            buttons.addWidget(each, *divmod(place, ROW))
+        buttons = FlowLayout()
+        for each in (self.pick, self.undo, self.redo, self.free, self.back):
+            buttons.add(each, 1)
         self.picked = make_text()
         self.picked.hide()
         self.table = PointTable()
@@ -53,7 +54,7 @@ class PointBox(QtWidgets.QGroupBox):
         layout.addLayout(self._fields(obj))
 
     def _fields(self, obj):
-        line = QtWidgets.QHBoxLayout()
+        line = FlowLayout()
         self.handles = QtWidgets.QCheckBox(tr("Handles"))
         self.handles.setChecked(True)
         self.handles.setToolTip(
@@ -66,8 +67,7 @@ class PointBox(QtWidgets.QGroupBox):
         self.snaps.setToolTip(tr("Points that are picked or dragged snap to a grid; Ctrl: free"))
         self.grid = NumberField(LENGTH, 1e6, 1e-4, refer_to=obj)
         for each in (self.handles, self.snaps, self.grid):
-            line.addWidget(each)
-        line.addStretch(1)
+            line.add(each)
         return line
 
     def enable(self, steps, fields):

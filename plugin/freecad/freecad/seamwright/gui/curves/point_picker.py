@@ -27,9 +27,13 @@ class PointPicker:
 
     CURSOR = QtCore.Qt.CrossCursor
 
-    def __init__(self, editor, points, ended):
-        """``ended(kept, points, closed)`` is called when the user ends."""
+    def __init__(self, editor, points, links, ended):
+        """``links``: for each point (object, "Vertex3"), or None where it is no vertex.
+
+        ``ended(kept, points, links, closed)`` is called when the user ends.
+        """
         self.points = [tuple(each) for each in points]
+        self._links = list(links)
         self._editor, self._ended = editor, ended
         self._snapper = Snapper(editor.obj.Document, editor.obj)
         self._pressed = None
@@ -43,9 +47,9 @@ class PointPicker:
 
     def move(self, pixel, held):
         """Draw the spline with the point at the mouse."""
-        point, what = self._at(pixel)
-        self._editor.drawing.show_snap(point)
-        self.show(point, what)
+        snap = self._at(pixel)
+        self._editor.drawing.show_snap(snap.point)
+        self.show(snap.point, snap.what)
         return held
 
     def release(self, pixel):
@@ -56,19 +60,19 @@ class PointPicker:
         if self._closes(pixel):
             self.end(True, closed=True)
             return
-        point, what = self._at(pixel)
-        if point is None or (self.points and _same(point, self.points[-1])):
+        snap = self._at(pixel)
+        if snap.point is None or (self.points and _same(snap.point, self.points[-1])):
             return
-        self.points.append(tuple(map(float, point)))
+        self._add(tuple(map(float, snap.point)), self._usable(snap.link))
         self._removed = []
-        self.show(None, what)
+        self.show(None, snap.what)
 
     def key(self, name):
         """Change the points as a key says."""
         if name in ("backspace", "undo") and self.points:
-            self._removed.append(self.points.pop())
+            self._removed.append((self.points.pop(), self._links.pop()))
         elif name == "redo" and self._removed:
-            self.points.append(self._removed.pop())
+            self._add(*self._removed.pop())
         elif name in ("enter", "escape"):
             self.end(name == "enter")
             return
@@ -77,7 +81,7 @@ class PointPicker:
     def end(self, kept, closed=False):
         """End picking; ``kept``: the points are used."""
         self._editor.end_pick()
-        self._ended(kept, self.points, closed)
+        self._ended(kept, self.points, self._links, closed)
 
     def show(self, hovered, what=""):
         """Draw the spline, and say what is picked."""
@@ -91,6 +95,15 @@ class PointPicker:
             return
         self._editor.drawing.show_picked(points, values)
         panel.box.say_picked(len(self.points), points[-1] if points else None, what)
+
+    def _add(self, point, link):
+        self.points.append(point)
+        self._links.append(link)
+
+    def _usable(self, link):
+        """Return a link, or None where its object is made from the spline."""
+        made = link is not None and self._editor.obj in link[0].OutListRecursive
+        return None if made else link
 
     def _at(self, pixel):
         through = self.points[-1] if self.points else (0.0, 0.0, 0.0)

@@ -15,6 +15,7 @@ from freecad.seamwright.document.curves.spline import NU
 from freecad.seamwright.gui.curves.point_picker import PointPicker
 from freecad.seamwright.gui.curves.spline_drawing import SplineDrawing
 from freecad.seamwright.gui.scene.live_curve import POINT, TANGENT, TENSION
+from freecad.seamwright.gui.scene.preselection import Preselection
 from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.scene.snap import Snapper
 from freecad.seamwright.gui.scene.view_events import ViewEvents
@@ -52,6 +53,7 @@ class SplineEditor:
         self.shown = True
         self._drag = self._values = self._events = None
         self._base, self._closed = None, False
+        self._preselection = Preselection(obj.Document.Name)
 
     def start(self):
         """Take the mouse and keys of the active view, if it is a 3D view."""
@@ -65,6 +67,7 @@ class SplineEditor:
             self._events.point_with(None)
             self._events.end()
             self._events = None
+        self._preselection.resume()
         self.drawing.end()
 
     @property
@@ -130,6 +133,7 @@ class SplineEditor:
                 snapper = Snapper(self.obj.Document, self.obj)
                 self._drag = _Drag(kind, place, pixels[place] - pixel, self._values, snapper)
                 self.drawing.begin()
+                self._preselection.pause()
                 return True
         return False
 
@@ -149,8 +153,8 @@ class SplineEditor:
         if self.picker is not None:
             self.picker.release(pixel)
         elif self._drag is not None:
-            drag, self._drag = self._drag, None
-            self.drawing.show_snap(None)
+            drag = self._drag
+            self._end_drag()
             if self._values != drag.before:
                 self.panel.keep_values(self._values)
             self.load()
@@ -168,19 +172,23 @@ class SplineEditor:
         if self.picker is not None:
             self.picker.key(name)
         elif name == "escape":
-            self._drag = None
-            self.drawing.show_snap(None)
+            self._end_drag()
             self.load()
         elif self._drag is None:
             self.panel.step(back=name == "undo")
         return True
+
+    def _end_drag(self):
+        self._drag = None
+        self.drawing.show_snap(None)
+        self._preselection.resume()
 
     def _dragged(self, projection, pixel):
         """Return the values when the handle that is held is at a pixel; None where it cannot be."""
         kind, place, _, before, snapper = self._drag
         if kind == POINT:
             start = self._points_of(before)[place]
-            point, _ = snapper.find(projection, pixel, start, self.panel.box.grid_mm())
+            point = snapper.find(projection, pixel, start, self.panel.box.grid_mm()).point
             self.drawing.show_snap(point)
             return None if point is None else self._with_point(before, place, point)
         if kind == TANGENT:
@@ -217,19 +225,27 @@ class SplineEditor:
     # Picking.
 
     def pick(self, ended):
-        """Let clicks in the view add points; ``ended(kept, points, closed)`` is called at the end.
+        """Let clicks in the view add points; ``ended`` is that of PointPicker.
 
         Returns False where there is no 3D view. Raises ValueError for a bad text of the panel.
         """
         if self._events is None:
             return False
-        self.panel.spline_values()
+        values = self.panel.spline_values()
         self.load()
         points = [] if self.points is None else self.points.tolist()
-        self.picker = PointPicker(self, points, ended)
+        self.picker = PointPicker(self, points, self._vertices(values, len(points)), ended)
         self._events.point_with(PointPicker.CURSOR)
         self.view.graphicsView().viewport().setFocus()
         return True
+
+    def _vertices(self, values, count):
+        """Return the links of the vertices that are the points now; None for each other point."""
+        chosen = self.panel.links("Sources")
+        own = values["points_mm"] or values["moves_mm"] or len(chosen) != count
+        if own or not all(name.startswith("Vertex") for _, name in chosen):
+            return [None] * count
+        return chosen
 
     def end_pick(self):
         """Show the handles again."""

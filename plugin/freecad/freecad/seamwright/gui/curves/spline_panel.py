@@ -120,7 +120,7 @@ class SplinePanel(CurvePanel):
         """
         before, chosen = self.spline_values(), self.links("Sources")
         changed = {name: value for name, value in values.items() if value != before[name]}
-        if changed:
+        if changed or sources not in (None, chosen):
             self._links["Sources"] = chosen if sources is None else sources
             self._list_sources()
             for name, value in changed.items():
@@ -188,12 +188,17 @@ class SplinePanel(CurvePanel):
         if self.editor.picker is not None:
             self.editor.picker.end(True)
 
-    def _picked(self, kept, points, closed):
+    def _picked(self, kept, points, links, closed):
+        """Keep picked points; the spline follows them if all are vertices."""
         self.box.picked.hide()
         self._check_pick(False)
         if kept and points:
             values = self.values_with(points)
-            self.keep_values({**values, "closed": values["closed"] or closed}, sources=[])
+            values["closed"] = values["closed"] or closed
+            follows = all(links)
+            if follows:
+                values["points_mm"] = []
+            self.keep_values(values, sources=links if follows else [])
         elif not self._has_points():
             self.say(tr(NO_POINTS))
         self._load()

@@ -6,18 +6,41 @@ from freecad.seamwright.document.plan import Values
 from freecad.seamwright.gui.base.new_seams_panel import SOURCE, NewSeamsPanel
 from freecad.seamwright.gui.base.picked import picked_on
 from freecad.seamwright.gui.fill.hole_list import HoleList
+from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.plain import fill_text
+from freecad.seamwright.plain import fill_misses, fill_text
 from freecad.seamwright.plain.language import tr
 
 FACE = "Face"
 
 
 class FillPanel(NewSeamsPanel):
-    """Shows and changes one Umbrella Fill; ``created``: Cancel removes it."""
+    """Shows and changes one Umbrella Fill; ``created``: Cancel removes it.
+
+    Fills that are not kept are drawn while the panel is open and shows the model after.
+    """
+
+    def release(self):
+        """Stop computing, and draw the new faces like the others."""
+        super().release()
+        self.obj.ViewObject.Proxy.show_missed(False)
 
     # The window.
+
+    def build_result(self):
+        """Return the box of the result; it has ``summary``."""
+        box = super().build_result()
+        self.allow = QtWidgets.QPushButton(tr("Take these tolerances"))
+        self.allow.setToolTip(
+            tr(
+                "Allow what the best fill needs, so that it can be kept as one that meets the "
+                "target"
+            )
+        )
+        self.allow.hide()
+        box.layout().insertWidget(1, self.allow)
+        return box
 
     def build_options(self):
         """Return the boxes of the holes and of the options."""
@@ -35,6 +58,7 @@ class FillPanel(NewSeamsPanel):
         self.tolerances.level.setToolTip(
             tr("G0: position only; G1: without a kink; G2: with the same curvature")
         )
+        self.allow.clicked.connect(lambda *_: self._allow())
         self.holes.changed.connect(self.changed)
         self.holes.clicked_edges.connect(self.select_in_source)
         self.pick.clicked.connect(lambda *_: self.holes.choose_by(self._picked()))
@@ -82,6 +106,42 @@ class FillPanel(NewSeamsPanel):
         return values
 
     # Actions.
+
+    def refresh(self):
+        """Show the results as they are stored now, and the tolerances that a fill would need."""
+        super().refresh()
+        self.after.setEnabled(self.has_result() or not self.obj.Rejected.isNull())
+        self.allow.setVisible(bool(fill_misses.allowed(fill.report_of(self.obj))))
+
+    def show(self, after):
+        """Show the result or its source, and after also the fills that are not kept."""
+        super().show(after)
+        if not self._ended:
+            self.obj.ViewObject.Proxy.show_missed(after)
+
+    def mark_chosen(self):
+        """Mark the seams of the chosen rows; those of fills that are not kept where they are drawn.
+        """
+        super().mark_chosen()
+        if not self.after.isChecked():
+            return
+        seams = [self.seams()[0][row.index] for row in self.table.chosen()]
+        left = [seam for seam in seams if seam.get("along")]
+        if left and len(left) == len(seams):
+            lines = [along["points"] for seam in left for along in seam["along"]]
+            classes = [seam["class"] for seam in left for _ in seam["along"]]
+            marks = [fill_misses.worst(seam) for seam in left]
+            self.obj.ViewObject.Proxy.mark(lines, classes, marks)
+            size = self.obj.Rejected.BoundBox.DiagonalLength
+            seam_view.look_at(self.obj, {}, left, size, lines)
+
+    def _allow(self):
+        """Give the fields the tolerances that the fills need; compute."""
+        for name, argument, *_ in fill.TOLERANCES:
+            value = fill_misses.allowed(fill.report_of(self.obj)).get(argument)
+            if value is not None:
+                self.tolerances.fields[name].suggest(value)
+        self.preview()
 
     def check(self, name, chosen):
         """Raise SourceError or ValueError where these links are nothing to fill."""

@@ -48,7 +48,7 @@ class MatchPanel(ReplacingPanel):
                 tr("Exchange the first and the second face, so that the other one moves")
             )
             self.swap.clicked.connect(self._swap)
-            box.line.addWidget(self.swap)
+            box.line.add(self.swap)
         return box
 
     def build_result(self):
@@ -56,20 +56,19 @@ class MatchPanel(ReplacingPanel):
         box, layout = make_box(tr("Result"))
         self.summary = make_text()
         layout.addWidget(self.summary)
-        headings = [heading for heading, *_ in match_text.table(report_of(self.obj))]
-        self.table = QtWidgets.QTableWidget(len(headings), 2)
+        count = len(match_text.table(report_of(self.obj)))
+        self.table = QtWidgets.QTableWidget(count, 2)
         self.table.setHorizontalHeaderLabels([tr("Before"), tr("After")])
-        self.table.setVerticalHeaderLabels(headings)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
         self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         height = self.table.fontMetrics().height() + 8
         self.table.verticalHeader().setDefaultSectionSize(height)
-        self.table.setFixedHeight((len(headings) + 1) * height + 8)
+        self.table.setFixedHeight((count + 1) * height + 8)
         layout.addWidget(self.table)
         layout.addLayout(self.build_show())
         self.zebra = QtWidgets.QCheckBox(tr("Zebra stripes"))
-        self.show_line.addWidget(self.zebra)
+        self.show_line.add(self.zebra)
         return box
 
     def _connect(self):
@@ -94,7 +93,9 @@ class MatchPanel(ReplacingPanel):
 
     def refresh(self):
         """Show the results as they are stored now."""
-        for line, (_, *cells) in enumerate(match_text.table(report_of(self.obj))):
+        lines = match_text.table(report_of(self.obj))
+        self.table.setVerticalHeaderLabels([heading for heading, *_ in lines])
+        for line, (_, *cells) in enumerate(lines):
             for column, text in enumerate(cells):
                 self.table.setItem(line, column, QtWidgets.QTableWidgetItem(text))
         super().refresh()

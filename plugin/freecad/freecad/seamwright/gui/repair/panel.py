@@ -65,6 +65,7 @@ class RepairPanel(PreviewPanel):
 
     def release(self):
         """Clear the selection, and draw result and source as they were."""
+        super().release()
         Gui.Selection.clearSelection()
         self.obj.ViewObject.ShowMoves = False
         self.surface.end()
@@ -138,6 +139,22 @@ class RepairPanel(PreviewPanel):
         self.max_move.show_expression()
         self.tolerances.read_from(self.obj)
         self._name_seams()
+        self.steps.start()
+
+    def shown(self):
+        """Return the values of the fields as ``show_values`` takes them."""
+        return {
+            "names": {name: each.names() for name, each in self.lists.items()},
+            "max_move": self.max_move.number(),
+            "tolerances": self.tolerances.values(),
+        }
+
+    def show_values(self, values):
+        """Show the values of fields."""
+        for name, each in self.lists.items():
+            each.set_names(values["names"][name])
+        self.max_move.suggest(values["max_move"])
+        self.tolerances.show_values(values["tolerances"])
 
     def wanted(self):
         """Return the {property: value} of the fields."""

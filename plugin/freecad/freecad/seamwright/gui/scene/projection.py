@@ -43,6 +43,10 @@ class Projection:
             flat = flat / depth[:, None]
         return self._middle + flat * [1, -1]
 
+    def nearness(self, points):
+        """Return numbers that are the larger, the nearer to the viewer points (count, 3) are."""
+        return (numpy.asarray(points, float).reshape(-1, 3) - self._eye) @ self._frame[2]
+
     def ray(self, pixel):
         """Return (point, direction) of all points that are seen at a pixel."""
         across = (numpy.asarray(pixel, float) - self._middle) * [1, -1] / self._scale

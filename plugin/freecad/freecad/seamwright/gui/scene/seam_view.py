@@ -94,6 +94,8 @@ def select_all(doc, owners):
         obj = doc.getObject(name)
         if obj is None:
             continue
+        if obj.hasExtension("App::LinkBaseExtension"):
+            names = sources.paths_in_link(obj, names)
         path = ""
         group = obj.getParentGeoFeatureGroup()
         while group is not None:

@@ -12,7 +12,7 @@ from freecad.seamwright.gui.base.row_table import INKS
 from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import ink, messages
-from freecad.seamwright.gui.widgets.forms import make_box, make_text, show_seams_in
+from freecad.seamwright.gui.widgets.forms import make_box, make_text, name_columns, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain import repair_text, rows, surface_text
 from freecad.seamwright.plain.language import tr
@@ -48,7 +48,7 @@ class SurfacePanel(OptionPanel):
         if name != UP_TO and isinstance(self.obj.Proxy, Surface):
             box.chain = QtWidgets.QPushButton(tr("Tangent chain"))
             box.chain.setToolTip(tr("Add the edges that go on with the tangent of those chosen"))
-            box.line.addWidget(box.chain)
+            box.line.add(box.chain)
             box.chain.clicked.connect(lambda *_: self._add_chain(name))
         return box
 
@@ -57,9 +57,6 @@ class SurfacePanel(OptionPanel):
         box, layout = make_box(tr("Result"))
         self.summary = make_text()
         self.table = QtWidgets.QTableWidget(0, len(surface_text.COLUMNS))
-        self.table.setHorizontalHeaderLabels([tr(heading) for heading, _ in surface_text.COLUMNS])
-        for column, (_, tip) in enumerate(surface_text.COLUMNS):
-            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self.table, TABLE_HEIGHT)
         header = self.table.horizontalHeader()
@@ -86,6 +83,7 @@ class SurfacePanel(OptionPanel):
         """Show the results as they are stored now."""
         super().refresh()
         self._rows = built = surface_text.build_rows(report_of(self.obj))
+        name_columns(self.table, surface_text.COLUMNS)
         self.table.clearSelection()
         self.table.setRowCount(len(built))
         for line, row in enumerate(built):

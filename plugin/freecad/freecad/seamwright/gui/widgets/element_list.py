@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A list of faces or edges that the user fills by picking them in the view."""
 
+from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain.language import description, tr
@@ -20,8 +21,7 @@ class ElementList(QtWidgets.QWidget):
     def __init__(self, picked, select, tip):
         super().__init__()
         self._picked = picked
-        layout = QtWidgets.QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout = FlowLayout(self)
         self.list = QtWidgets.QListWidget()
         self.list.setToolTip(description(tip))
         self.list.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
@@ -40,9 +40,9 @@ class ElementList(QtWidgets.QWidget):
         )
         self.add.clicked.connect(self._add)
         self.remove.clicked.connect(self._remove)
-        layout.addWidget(self.list, 1)
-        layout.addWidget(self.add)
-        layout.addWidget(self.remove)
+        layout.add(self.list, 1)
+        layout.add(self.add)
+        layout.add(self.remove)
 
     def names(self):
         """Return the names in the list, in the order in which they were added."""

@@ -5,6 +5,7 @@ import re
 
 from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets import ink
+from freecad.seamwright.gui.widgets.forms import Label
 from freecad.seamwright.gui.widgets.number_field import (
     ANGLE,
     LENGTH,
@@ -38,7 +39,7 @@ class Field(QtCore.QObject):
     def __init__(self, obj, option):
         super().__init__()
         self.option = option
-        self.label = QtWidgets.QLabel(tr(option.label))
+        self.label = Label(tr(option.label))
         self.widget = self._make(obj)
         for each in (self.label, self.widget):
             each.setToolTip(description(option.tip))
@@ -67,14 +68,13 @@ class QuantityField(Field):
 
     def _make(self, obj):
         least = max(self.option.least, -LARGEST)
-        widget = NumberField(self._unit(), LARGEST, least)
-        widget.setSpecialValueText(tr(self.option.zero) if self.option.zero else "")
-        return self._bound(widget, obj)
+        return self._bound(NumberField(self._unit(), LARGEST, least), obj)
 
     def _unit(self):
         return PERCENT if self.option.percent else UNITS.get(self.option.kind, PLAIN)
 
     def _bound(self, widget, obj):
+        widget.setSpecialValueText(tr(self.option.zero) if self.option.zero else "")
         widget.bind(obj, self.option.name)
         widget.valueChanged.connect(self._emit)
         return widget

@@ -4,7 +4,9 @@
 import FreeCADGui as Gui
 
 from freecad.seamwright.gui import icon_path
-from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.flow import FlowLayout
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.plain import lengths
 from freecad.seamwright.plain.language import tr
 
 #: Width of a field for a number in a narrow dock.
@@ -30,14 +32,28 @@ def make_box(title, content=None):
 
 def make_show_line():
     """Return (line, buttons Before and After): what the view shows; After is chosen."""
-    line = QtWidgets.QHBoxLayout()
-    line.addWidget(QtWidgets.QLabel(tr("Show")))
+    line = FlowLayout()
+    line.add(QtWidgets.QLabel(tr("Show")))
     before = QtWidgets.QRadioButton(tr("Before"))
     after = QtWidgets.QRadioButton(tr("After"))
     after.setChecked(True)
     for widget in (before, after):
-        line.addWidget(widget)
+        line.add(widget)
     return line, before, after
+
+
+class Label(QtWidgets.QLabel):
+    """A text beside a field: in one line where there is room, else in several."""
+
+    def __init__(self, text):
+        super().__init__(text)
+        self.setWordWrap(True)
+
+    def sizeHint(self):
+        """Return the size of the text in one line."""
+        margins = self.contentsMargins()
+        width = self.fontMetrics().boundingRect(self.text()).width() + 4
+        return QtCore.QSize(width + margins.left() + margins.right(), super().sizeHint().height())
 
 
 def make_text():
@@ -45,6 +61,13 @@ def make_text():
     label = QtWidgets.QLabel()
     label.setWordWrap(True)
     return label
+
+
+def name_columns(table, columns):
+    """Write headings and tool tips, (text, text) each, with the unit of lengths of the moment."""
+    table.setHorizontalHeaderLabels([lengths.titled(heading) for heading, _ in columns])
+    for column, (_, tip) in enumerate(columns):
+        table.horizontalHeaderItem(column).setToolTip(lengths.titled(tip))
 
 
 def show_seams_in(table, height):

@@ -7,7 +7,7 @@ tolerance of 0.001 degrees would be lost.
 
 import FreeCAD as App
 
-from freecad.seamwright.document import expressions
+from freecad.seamwright.document import expressions, units
 from freecad.seamwright.gui.widgets.binding import Binding
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
@@ -16,8 +16,8 @@ from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 #: is shown in percent.
 LENGTH, ANGLE, PLAIN, PERCENT = "mm", "deg", "", "%"
 
-#: All lengths are shown in the unit of this one in mm, so that they can be compared.
-TYPICAL = 10.0
+#: All angles are shown in the unit of this one in degrees, so that they can be compared.
+TYPICAL_DEG = 10.0
 
 
 class Bindable:
@@ -111,8 +111,10 @@ class NumberField(Bindable, QtWidgets.QDoubleSpinBox):
         """Return (mm or degrees of one shown unit, its name)."""
         if self.unit == PLAIN:
             return (0.01, "%") if self._percent else (1.0, "")
-        unit = App.Units.Length if self.unit == LENGTH else App.Units.Angle
-        _, factor, name = App.Units.Quantity(TYPICAL, unit).getUserPreferred()
+        if self.unit == LENGTH:
+            name, factor = units.length()
+            return factor, name
+        _, factor, name = App.Units.Quantity(TYPICAL_DEG, App.Units.Angle).getUserPreferred()
         return factor, name
 
     def textFromValue(self, value):

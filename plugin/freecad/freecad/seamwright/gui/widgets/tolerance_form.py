@@ -2,6 +2,7 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import properties
+from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PERCENT, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import profiles
@@ -50,13 +51,13 @@ class ToleranceForm(QtWidgets.QWidget):
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
         profile = self._build_profile()
         if choice:
-            first_line = QtWidgets.QHBoxLayout()
+            first_line = FlowLayout()
             for widget, stretch in (
                 (self.level, 1),
                 (QtWidgets.QLabel(tr("Tolerances")), 0),
                 (profile, 2),
             ):
-                first_line.addWidget(widget, stretch)
+                first_line.add(widget, stretch)
             layout.addRow(tr(self._level_name), first_line)
         else:
             layout.addRow(tr("Tolerances"), profile)

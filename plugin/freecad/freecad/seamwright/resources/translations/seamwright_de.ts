@@ -696,10 +696,6 @@
         <translation>Die gemeinsame Kante, an der die Flächen angepasst werden; leer: die längste</translation>
     </message>
     <message>
-        <source>The continuity at both ends</source>
-        <translation>Die Stetigkeit an beiden Enden</translation>
-    </message>
-    <message>
         <source>The continuity of the faces across the edges: tangent planes (G1) or curvature, too (G2)</source>
         <translation>Der Übergang der Flächen über die Kanten: Tangentialebenen (G1) oder auch Krümmung (G2)</translation>
     </message>
@@ -726,6 +722,14 @@
     <message>
         <source>The continuity with the faces of the start</source>
         <translation>Die Stetigkeit mit den Flächen des Anfangs</translation>
+    </message>
+    <message>
+        <source>The continuity with the first edge</source>
+        <translation>Die Stetigkeit mit der ersten Kante</translation>
+    </message>
+    <message>
+        <source>The continuity with the second edge</source>
+        <translation>Die Stetigkeit mit der zweiten Kante</translation>
     </message>
     <message>
         <source>The edge that moves</source>
@@ -993,8 +997,8 @@ Gezeigt: {show}</translation>
         <translation> Von OpenCASCADE gefüllt; nicht mit Flächenstücken: {patches_reason}.</translation>
     </message>
     <message>
-        <source> The points are the spline's own: it no longer follows its sources.</source>
-        <translation> Die Punkte gehören dem Spline selbst: Er folgt seinen Quellen nicht mehr.</translation>
+        <source> If all points are vertices, the spline follows them; else the points are its own, and it follows no sources.</source>
+        <translation> Sind alle Punkte Ecken, folgt der Spline diesen; sonst gehören die Punkte ihm selbst, und er folgt keinen Quellen.</translation>
     </message>
     <message>
         <source> and </source>
@@ -1147,6 +1151,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>All seams</source>
         <translation>Alle Nähte</translation>
+    </message>
+    <message>
+        <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
+        <translation>Erlauben, was die beste Füllung braucht, damit sie als eine behalten werden kann, die das Ziel erreicht</translation>
     </message>
     <message>
         <source>Along</source>
@@ -1681,6 +1689,10 @@ Gezeigt: {show}</translation>
         <translation>Nur die Löcher füllen, deren Kanten in der Ansicht ausgewählt sind</translation>
     </message>
     <message>
+        <source>Fill that is not kept</source>
+        <translation>Füllung, die nicht behalten wird</translation>
+    </message>
+    <message>
         <source>Filling holes…</source>
         <translation>Löcher werden gefüllt…</translation>
     </message>
@@ -1737,16 +1749,16 @@ Gezeigt: {show}</translation>
         <translation>Spalt</translation>
     </message>
     <message>
-        <source>Gap mm</source>
-        <translation>Spalt mm</translation>
-    </message>
-    <message>
         <source>Gap of patch to fillet</source>
         <translation>Spalt von Flächenstück zu Verrundung</translation>
     </message>
     <message>
         <source>Gap tolerance</source>
         <translation>Spalttoleranz</translation>
+    </message>
+    <message>
+        <source>Gap {unit}</source>
+        <translation>Spalt {unit}</translation>
     </message>
     <message>
         <source>Gaussian</source>
@@ -1837,12 +1849,20 @@ Gezeigt: {show}</translation>
         <translation>Kurven verbinden</translation>
     </message>
     <message>
-        <source>Joined G{order} to both edges, {figures}.</source>
-        <translation>G{order} mit beiden Kanten verbunden, {figures}.</translation>
-    </message>
-    <message>
         <source>Joined G{order}; the ends were {gap_mm} mm apart, no {what} moved further than {moved_mm} mm.</source>
         <translation>G{order} verbunden; die Enden waren {gap_mm} mm auseinander, kein {what} wurde weiter als {moved_mm} mm verschoben.</translation>
+    </message>
+    <message>
+        <source>Joins the first</source>
+        <translation>Anschluss an die erste</translation>
+    </message>
+    <message>
+        <source>Joins the first edge {first} and the second {second}, {figures}.</source>
+        <translation>Schließt an die erste Kante mit {first} und an die zweite mit {second} an, {figures}.</translation>
+    </message>
+    <message>
+        <source>Joins the second</source>
+        <translation>Anschluss an die zweite</translation>
     </message>
     <message>
         <source>Joints keep</source>
@@ -1881,12 +1901,12 @@ Gezeigt: {show}</translation>
         <translation>Größte Abweichung {furthest_mm} mm {furthest_at}; {least} bis {largest} mm</translation>
     </message>
     <message>
-        <source>Largest distance between the two sides, before and after, in mm</source>
-        <translation>Größter Abstand zwischen den beiden Seiten, vorher und nachher, in mm</translation>
+        <source>Largest distance between the two sides, before and after, in {unit}</source>
+        <translation>Größter Abstand zwischen den beiden Seiten, vorher und nachher, in {unit}</translation>
     </message>
     <message>
-        <source>Largest distance between the two sides, in mm</source>
-        <translation>Größter Abstand zwischen den beiden Seiten, in mm</translation>
+        <source>Largest distance between the two sides, in {unit}</source>
+        <translation>Größter Abstand zwischen den beiden Seiten, in {unit}</translation>
     </message>
     <message>
         <source>Largest distance of the arcs from the curve</source>
@@ -1949,16 +1969,16 @@ Gezeigt: {show}</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Length mm</source>
-        <translation>Länge mm</translation>
-    </message>
-    <message>
         <source>Length of the lines of the comb</source>
         <translation>Länge der Linien des Kamms</translation>
     </message>
     <message>
-        <source>Length of the seam, in mm</source>
-        <translation>Länge der Naht, in mm</translation>
+        <source>Length of the seam, in {unit}</source>
+        <translation>Länge der Naht, in {unit}</translation>
+    </message>
+    <message>
+        <source>Length {unit}</source>
+        <translation>Länge {unit}</translation>
     </message>
     <message>
         <source>Level</source>
@@ -2633,6 +2653,10 @@ Gezeigt: {show}</translation>
         <translation>Das letzte Ziehen oder die letzte Änderung eines Punkts zurücknehmen (Strg+Z)</translation>
     </message>
     <message>
+        <source>Take these tolerances</source>
+        <translation>Diese Toleranzen übernehmen</translation>
+    </message>
+    <message>
         <source>Tangent</source>
         <translation>Tangente</translation>
     </message>
@@ -2681,8 +2705,8 @@ Gezeigt: {show}</translation>
         <translation>Spannung am Anfang</translation>
     </message>
     <message>
-        <source>The best fill needs {tolerances}; Keep anyway shows it.</source>
-        <translation>Die beste Füllung braucht {tolerances}; „Trotzdem behalten“ zeigt sie.</translation>
+        <source>The best fill needs {tolerances}; Keep anyway keeps it.</source>
+        <translation>Die beste Füllung braucht {tolerances}; „Trotzdem behalten“ behält sie.</translation>
     </message>
     <message>
         <source>The compiled part of Seamwright cannot be loaded ({reason}). {built}This FreeCAD runs Python {python} and OpenCASCADE {occt}: install the Seamwright that was built for it.</source>
@@ -3069,8 +3093,12 @@ Gezeigt: {show}</translation>
         <translation>auto</translation>
     </message>
     <message>
-        <source>auto: {setback:.4g} mm</source>
-        <translation>auto: {setback:.4g} mm</translation>
+        <source>auto: {setback:.4g} {unit}</source>
+        <translation>auto: {setback:.4g} {unit}</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>between</source>
@@ -3721,6 +3749,10 @@ Gezeigt: {show}</translation>
         <translation>die drei Punkte liegen auf einer Geraden: Rücken Sie die Ecke davon weg</translation>
     </message>
     <message>
+        <source>the tolerance</source>
+        <translation>die Toleranz</translation>
+    </message>
+    <message>
         <source>the tolerance is 0: splines hold clothoids within a tolerance only</source>
         <translation>die Toleranz ist 0: Splines geben Klothoiden nur innerhalb einer Toleranz wieder</translation>
     </message>
@@ -3807,6 +3839,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>with G2 the outer boundary is found, and cannot be given: choose G1, or take the edges out of the outer boundary</source>
         <translation>mit G2 wird der äußere Rand bestimmt und kann nicht vorgegeben werden: Wählen Sie G1, oder nehmen Sie die Kanten aus dem äußeren Rand</translation>
+    </message>
+    <message>
+        <source>within the tolerances</source>
+        <translation>innerhalb der Toleranzen</translation>
     </message>
     <message>
         <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
@@ -4554,8 +4590,8 @@ Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
         <translation>Brückenkurve</translation>
     </message>
     <message>
-        <source>Make a curve from an end of one selected edge to an end of another one. It continues both with their tangents (G1), their curvatures (G2) and the change of these (G3).</source>
-        <translation>Erzeugt eine Kurve von einem Ende einer ausgewählten Kante zu einem Ende einer anderen. Sie setzt beide mit ihren Tangenten (G1), ihren Krümmungen (G2) und deren Änderung (G3) fort.</translation>
+        <source>Make a curve from an end of one selected edge to an end of another one. It continues each with its own order: position (G0), tangent (G1), curvature (G2) or its change (G3).</source>
+        <translation>Erzeugt eine Kurve von einem Ende einer ausgewählten Kante zu einem Ende einer anderen. Sie setzt jede mit eigener Ordnung fort: Lage (G0), Tangente (G1), Krümmung (G2) oder deren Änderung (G3).</translation>
     </message>
 </context>
 <context>

@@ -696,10 +696,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The continuity at both ends</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The continuity of the faces across the edges: tangent planes (G1) or curvature, too (G2)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -725,6 +721,14 @@
     </message>
     <message>
         <source>The continuity with the faces of the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The continuity with the first edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The continuity with the second edge</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -992,7 +996,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> The points are the spline's own: it no longer follows its sources.</source>
+        <source> If all points are vertices, the spline follows them; else the points are its own, and it follows no sources.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1146,6 +1150,10 @@ Shown: {show}</source>
     <message>
         <source>All seams</source>
         <translation>すべての継ぎ目</translation>
+    </message>
+    <message>
+        <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Along</source>
@@ -1680,6 +1688,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Fill that is not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Filling holes…</source>
         <translation>穴を埋めています…</translation>
     </message>
@@ -1736,16 +1748,16 @@ Shown: {show}</source>
         <translation>隙間</translation>
     </message>
     <message>
-        <source>Gap mm</source>
-        <translation>隙間 mm</translation>
-    </message>
-    <message>
         <source>Gap of patch to fillet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gap tolerance</source>
         <translation>隙間公差</translation>
+    </message>
+    <message>
+        <source>Gap {unit}</source>
+        <translation>隙間 {unit}</translation>
     </message>
     <message>
         <source>Gaussian</source>
@@ -1836,11 +1848,19 @@ Shown: {show}</source>
         <translation>曲線を接続</translation>
     </message>
     <message>
-        <source>Joined G{order} to both edges, {figures}.</source>
+        <source>Joined G{order}; the ends were {gap_mm} mm apart, no {what} moved further than {moved_mm} mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Joined G{order}; the ends were {gap_mm} mm apart, no {what} moved further than {moved_mm} mm.</source>
+        <source>Joins the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joins the first edge {first} and the second {second}, {figures}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joins the second</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1880,11 +1900,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Largest distance between the two sides, before and after, in mm</source>
+        <source>Largest distance between the two sides, before and after, in {unit}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Largest distance between the two sides, in mm</source>
+        <source>Largest distance between the two sides, in {unit}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1948,16 +1968,16 @@ Shown: {show}</source>
         <translation>長さ</translation>
     </message>
     <message>
-        <source>Length mm</source>
-        <translation>長さ mm</translation>
-    </message>
-    <message>
         <source>Length of the lines of the comb</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Length of the seam, in mm</source>
-        <translation>継ぎ目の長さ (mm)</translation>
+        <source>Length of the seam, in {unit}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length {unit}</source>
+        <translation>長さ {unit}</translation>
     </message>
     <message>
         <source>Level</source>
@@ -2630,6 +2650,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Take these tolerances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Tangent</source>
         <translation>接線</translation>
     </message>
@@ -2678,7 +2702,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The best fill needs {tolerances}; Keep anyway shows it.</source>
+        <source>The best fill needs {tolerances}; Keep anyway keeps it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3066,7 +3090,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>auto: {setback:.4g} mm</source>
+        <source>auto: {setback:.4g} {unit}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3718,6 +3746,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the tolerance is 0: splines hold clothoids within a tolerance only</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3803,6 +3835,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>with G2 the outer boundary is found, and cannot be given: choose G1, or take the edges out of the outer boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within the tolerances</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4550,7 +4586,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>ブリッジ曲線</translation>
     </message>
     <message>
-        <source>Make a curve from an end of one selected edge to an end of another one. It continues both with their tangents (G1), their curvatures (G2) and the change of these (G3).</source>
+        <source>Make a curve from an end of one selected edge to an end of another one. It continues each with its own order: position (G0), tangent (G1), curvature (G2) or its change (G3).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

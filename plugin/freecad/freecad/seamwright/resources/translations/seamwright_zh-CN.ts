@@ -696,10 +696,6 @@
         <translation>匹配面所沿的公共边；空：最长的一条</translation>
     </message>
     <message>
-        <source>The continuity at both ends</source>
-        <translation>两端的连续性</translation>
-    </message>
-    <message>
         <source>The continuity of the faces across the edges: tangent planes (G1) or curvature, too (G2)</source>
         <translation>面跨过边的连续性：切平面 (G1)，或还有曲率 (G2)</translation>
     </message>
@@ -726,6 +722,14 @@
     <message>
         <source>The continuity with the faces of the start</source>
         <translation>与起点面的连续性</translation>
+    </message>
+    <message>
+        <source>The continuity with the first edge</source>
+        <translation>与第一条边的连续性</translation>
+    </message>
+    <message>
+        <source>The continuity with the second edge</source>
+        <translation>与第二条边的连续性</translation>
     </message>
     <message>
         <source>The edge that moves</source>
@@ -993,8 +997,8 @@ Shown: {show}</source>
         <translation>由 OpenCASCADE 填充；未用面片：{patches_reason}。</translation>
     </message>
     <message>
-        <source> The points are the spline's own: it no longer follows its sources.</source>
-        <translation>这些点属于样条自身：它不再跟随其来源。</translation>
+        <source> If all points are vertices, the spline follows them; else the points are its own, and it follows no sources.</source>
+        <translation>如果所有点都是顶点，样条跟随它们；否则这些点属于样条自身，它不跟随任何来源。</translation>
     </message>
     <message>
         <source> and </source>
@@ -1147,6 +1151,10 @@ Shown: {show}</source>
     <message>
         <source>All seams</source>
         <translation>所有接缝</translation>
+    </message>
+    <message>
+        <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
+        <translation>允许最佳填充所需的公差，使它能作为达到目标的填充保留</translation>
     </message>
     <message>
         <source>Along</source>
@@ -1681,6 +1689,10 @@ Shown: {show}</source>
         <translation>仅填充其边在视图中被选中的孔</translation>
     </message>
     <message>
+        <source>Fill that is not kept</source>
+        <translation>未保留的填充</translation>
+    </message>
+    <message>
         <source>Filling holes…</source>
         <translation>正在填充孔…</translation>
     </message>
@@ -1737,16 +1749,16 @@ Shown: {show}</source>
         <translation>间隙</translation>
     </message>
     <message>
-        <source>Gap mm</source>
-        <translation>间隙 mm</translation>
-    </message>
-    <message>
         <source>Gap of patch to fillet</source>
         <translation>面片与圆角的间隙</translation>
     </message>
     <message>
         <source>Gap tolerance</source>
         <translation>间隙公差</translation>
+    </message>
+    <message>
+        <source>Gap {unit}</source>
+        <translation>间隙 {unit}</translation>
     </message>
     <message>
         <source>Gaussian</source>
@@ -1837,12 +1849,20 @@ Shown: {show}</source>
         <translation>连接曲线</translation>
     </message>
     <message>
-        <source>Joined G{order} to both edges, {figures}.</source>
-        <translation>与两条边以 G{order} 连接，{figures}。</translation>
-    </message>
-    <message>
         <source>Joined G{order}; the ends were {gap_mm} mm apart, no {what} moved further than {moved_mm} mm.</source>
         <translation>以 G{order} 连接；两端原相距 {gap_mm} mm，没有{what}移动超过 {moved_mm} mm。</translation>
+    </message>
+    <message>
+        <source>Joins the first</source>
+        <translation>连接第一条边</translation>
+    </message>
+    <message>
+        <source>Joins the first edge {first} and the second {second}, {figures}.</source>
+        <translation>以 {first} 连接第一条边，以 {second} 连接第二条边，{figures}。</translation>
+    </message>
+    <message>
+        <source>Joins the second</source>
+        <translation>连接第二条边</translation>
     </message>
     <message>
         <source>Joints keep</source>
@@ -1881,12 +1901,12 @@ Shown: {show}</source>
         <translation>最大偏差 {furthest_mm} mm，{furthest_at}；{least} 至 {largest} mm</translation>
     </message>
     <message>
-        <source>Largest distance between the two sides, before and after, in mm</source>
-        <translation>两侧之间的最大距离，之前和之后，单位 mm</translation>
+        <source>Largest distance between the two sides, before and after, in {unit}</source>
+        <translation>两侧之间的最大距离，之前和之后，单位 {unit}</translation>
     </message>
     <message>
-        <source>Largest distance between the two sides, in mm</source>
-        <translation>两侧之间的最大距离，单位 mm</translation>
+        <source>Largest distance between the two sides, in {unit}</source>
+        <translation>两侧之间的最大距离，单位 {unit}</translation>
     </message>
     <message>
         <source>Largest distance of the arcs from the curve</source>
@@ -1949,16 +1969,16 @@ Shown: {show}</source>
         <translation>长度</translation>
     </message>
     <message>
-        <source>Length mm</source>
-        <translation>长度 mm</translation>
-    </message>
-    <message>
         <source>Length of the lines of the comb</source>
         <translation>梳齿的长度</translation>
     </message>
     <message>
-        <source>Length of the seam, in mm</source>
-        <translation>接缝的长度，单位 mm</translation>
+        <source>Length of the seam, in {unit}</source>
+        <translation>接缝的长度，单位 {unit}</translation>
+    </message>
+    <message>
+        <source>Length {unit}</source>
+        <translation>长度 {unit}</translation>
     </message>
     <message>
         <source>Level</source>
@@ -2633,6 +2653,10 @@ Shown: {show}</source>
         <translation>撤回上一次对点的拖动或更改 (Ctrl+Z)</translation>
     </message>
     <message>
+        <source>Take these tolerances</source>
+        <translation>采用这些公差</translation>
+    </message>
+    <message>
         <source>Tangent</source>
         <translation>切线</translation>
     </message>
@@ -2681,8 +2705,8 @@ Shown: {show}</source>
         <translation>起点处的张力</translation>
     </message>
     <message>
-        <source>The best fill needs {tolerances}; Keep anyway shows it.</source>
-        <translation>最佳填充需要{tolerances}；“仍然保留”会显示它。</translation>
+        <source>The best fill needs {tolerances}; Keep anyway keeps it.</source>
+        <translation>最佳填充需要{tolerances}；“仍然保留”会保留它。</translation>
     </message>
     <message>
         <source>The compiled part of Seamwright cannot be loaded ({reason}). {built}This FreeCAD runs Python {python} and OpenCASCADE {occt}: install the Seamwright that was built for it.</source>
@@ -3069,8 +3093,12 @@ Shown: {show}</source>
         <translation>自动</translation>
     </message>
     <message>
-        <source>auto: {setback:.4g} mm</source>
-        <translation>自动：{setback:.4g} mm</translation>
+        <source>auto: {setback:.4g} {unit}</source>
+        <translation>自动：{setback:.4g} {unit}</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
     </message>
     <message>
         <source>between</source>
@@ -3721,6 +3749,10 @@ Shown: {show}</source>
         <translation>三个点在一条直线上：请将拐角移开</translation>
     </message>
     <message>
+        <source>the tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
         <source>the tolerance is 0: splines hold clothoids within a tolerance only</source>
         <translation>公差为 0：样条只能在公差内表示回旋线</translation>
     </message>
@@ -3807,6 +3839,10 @@ Shown: {show}</source>
     <message>
         <source>with G2 the outer boundary is found, and cannot be given: choose G1, or take the edges out of the outer boundary</source>
         <translation>G2 时外边界由计算得出，不能给定：请选择 G1，或从外边界中去掉这些边</translation>
+    </message>
+    <message>
+        <source>within the tolerances</source>
+        <translation>在公差之内</translation>
     </message>
     <message>
         <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
@@ -4554,8 +4590,8 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>桥接曲线</translation>
     </message>
     <message>
-        <source>Make a curve from an end of one selected edge to an end of another one. It continues both with their tangents (G1), their curvatures (G2) and the change of these (G3).</source>
-        <translation>从一条所选边的一端到另一条边的一端生成曲线，以切线 (G1)、曲率 (G2) 及其变化 (G3) 延续两者。</translation>
+        <source>Make a curve from an end of one selected edge to an end of another one. It continues each with its own order: position (G0), tangent (G1), curvature (G2) or its change (G3).</source>
+        <translation>从一条所选边的一端到另一条边的一端生成曲线，以各自的阶数延续每条边：位置 (G0)、切线 (G1)、曲率 (G2) 或其变化 (G3)。</translation>
     </message>
 </context>
 <context>

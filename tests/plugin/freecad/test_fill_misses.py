@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What fills miss that are not kept: shares of tolerances, their colours and legend."""
+
+import math
+
+import pytest
+
+from freecad.seamwright.plain import fill_misses, palette
+
+LIMITS = {"gap_mm": 0.001, "angle_deg": 0.01, "curvature_rel": 0.02, "corner_deg": 15.0}
+NAN = math.nan
+
+
+@pytest.mark.parametrize(
+    "target, figures, shares",
+    (
+        ("G0", {"gap_mm": [0.0, 0.004]}, [0, 4]),
+        ("G1", {"gap_mm": [0.0, 0.004], "angle_deg": [0.02, 0.01]}, [2, 4]),
+        ("G1", {"gap_mm": [0.0] * 4, "angle_deg": [NAN, 0.01, NAN, 0.03]}, [1, 1, 2, 3]),
+        ("G1", {"gap_mm": [0.002, 0.0], "angle_deg": [NAN, NAN]}, [2, 0]),
+        (
+            "G2",
+            {"gap_mm": [0.0] * 2, "angle_deg": [0.01] * 2, "curvature_rel": [0.1, NAN]},
+            [5, 1],
+        ),
+    ),
+)
+def test_the_largest_share_of_the_figures_that_decide_counts(target, figures, shares):
+    assert fill_misses.shares(figures, LIMITS, target) == pytest.approx(shares)
+
+
+def test_a_tolerance_of_zero_leaves_shares_finite():
+    (share,) = fill_misses.shares({"gap_mm": [1e-5]}, {"gap_mm": 0.0}, "G0")
+    assert 1 < share < math.inf
+
+
+def test_colours_go_with_the_share_and_those_of_the_legend_are_among_them():
+    met, little, most = fill_misses.colours([1.0, 1.001, 50.0], 50.0)
+    assert met == palette.SMOOTH.unit_rgb
+    for found, (_, rgb) in ((little, fill_misses.RAMP[0]), (most, fill_misses.RAMP[-1])):
+        assert [255 * channel for channel in found] == pytest.approx(rgb, abs=1)
+    title, entries, footer = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 49.0)
+    assert [name for _, name, _ in entries] == ["49 \u00d7", "7 \u00d7", "\u2264 1 \u00d7"]
+    assert entries[0][0].rgb == fill_misses.RAMP[-1][1]
+    assert footer == "G1: gap \u2264 0.001 mm, angle \u2264 0.01\u00b0"
+
+
+def fill(angle_deg, code="misses_target", gap_mm=1e-5):
+    figures = {"gap_mm": gap_mm, "angle_deg": angle_deg}
+    seam = {name: {"lower": each / 2, "upper": each} for name, each in figures.items()}
+    return {"filled": False, "reason_code": code, "seams": [seam]}
+
+
+def allowed(*fills):
+    return fill_misses.allowed({"target": "G1", "tolerance": LIMITS, "fills": list(fills)})
+
+
+def test_all_fills_are_allowed_or_none():
+    assert allowed() == {}
+    assert allowed(fill(0.0512)) == {"angle_deg": 0.052}
+    assert allowed(fill(0.0512), fill(0.3, gap_mm=0.0123)) == {"angle_deg": 0.3, "gap_mm": 0.013}
+    assert allowed(fill(0.0512), fill(0.3, code="may_fold")) == {}
+    assert allowed(fill(89.0)) == {}
+
+
+def test_the_worst_point_of_a_seam():
+    along = [
+        {"points": [[0, 0, 0], [1, 0, 0]], "shares": [0.5, 2.0]},
+        {"points": [[1, 0, 0], [2, 0, 0]], "shares": [12.34, 0.1]},
+    ]
+    assert fill_misses.worst({"along": along}) == ([1, 0, 0], "12.3 \u00d7")
