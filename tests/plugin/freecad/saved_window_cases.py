@@ -67,7 +67,8 @@ class Saved(WindowCase):
                 self.assertEqual(type(view).__name__, kind + "View")
                 self.assertEqual(view.object, obj)
                 self.assertIn(view.halo.node, _children(obj.ViewObject.RootNode))
-                self.assertNotIn("Touched", obj.State)
+                if App.Version()[0] == "0":  # later ones bring links of older files up to date
+                    self.assertNotIn("Touched", obj.State)
                 self.assertTrue(obj.Shape.Edges)
         self.assertEqual(self.found(), RESULTS)
 
