@@ -9,6 +9,7 @@
 #include <functional>
 
 #include <seamwright/core/blend/hermite_sheet.hpp>
+#include <seamwright/core/bspline/surface_jets.hpp>
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/core/seam/measure.hpp>
@@ -202,11 +203,11 @@ BSplineSurface sheetOver(const BlendTask& task, const std::vector<double>& knots
 }
 
 /// The largest figure at a point of an end over its tolerance.
-double excessAt(const BlendTask& task, const BSplineSurface& sheet, int k, double share) {
+double excessAt(const BlendTask& task, const SurfaceJets& sheet, int k, double share) {
   const SideSample sample = task.sides[k].at(share, share < 1);
   const bool third = task.ends[k].order == most_blend_order;
   const SidePoint of_face{sample.jet, {}, sample.derivative, true, third},
-      of_sheet{jet(sheet, share, k), {}, sample.derivative, true, third};
+      of_sheet{sheet.at(share, k), {}, sample.derivative, true, third};
   const PairMeasure figures = measurePair(of_face, of_sheet);
   const ContinuityTolerance& tolerance = task.aim(k);
   double excess = figures.gap_mm.value_or(HUGE_VAL) / tolerance.gap_mm;
@@ -242,13 +243,14 @@ PoorSpans poorSpans(const BlendTask& task, const BSplineSurface& sheet, const Sh
   // half of the digits.
   const auto is_third = [](const BlendEnd& end) { return end.order == most_blend_order; };
   const double shortest = std::ranges::any_of(task.ends, is_third) ? 1.0 / 512 : 1.0 / 65536;
+  const SurfaceJets jets(sheet);
   PoorSpans result;
   const std::map<double, int>& at = knots.multiplicities();
   for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
     PoorSpan span{from->first, to->first};
     const auto look = [&](double share) {
       for (int k = 0; k < task.count(); ++k)
-        span.excess = std::max(span.excess, excessAt(task, sheet, k, share));
+        span.excess = std::max(span.excess, excessAt(task, jets, k, share));
     };
     for (const double sample : samples) {
       // Nearer to a corner where sides meet, second differences have no digits.
@@ -296,12 +298,12 @@ int multiplicityAt(const BlendSide& side, double at) {
 }
 
 /// Where normals turn over along a line across the sheet.
-std::optional<SheetFold> foldAlong(const BSplineSurface& sheet, double u) {
+std::optional<SheetFold> foldAlong(const SurfaceJets& sheet, double u) {
   constexpr int steps = 24;
-  Eigen::Vector3d before = Eigen::Vector3d::Zero(), last = jet(sheet, u, 0).p;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero(), last = sheet.at(u, 0, 0).p;
   double distance_mm = 0;
   for (int i = 0; i <= steps; ++i) {
-    const SurfaceJet there = jet(sheet, u, static_cast<double>(i) / steps);
+    const SurfaceJet there = sheet.at(u, static_cast<double>(i) / steps, 1);
     distance_mm += (there.p - last).norm();
     last = there.p;
     const Eigen::Vector3d normal = there.u.cross(there.v);
@@ -441,11 +443,12 @@ RefinedSheet refinedSheet(const BlendTask& task, double share_of_aim, int max_sp
 
 std::optional<SheetFold> foldOf(const BSplineSurface& sheet) {
   constexpr int parts = 8;  // of a span: a choice
+  const SurfaceJets jets(sheet);
   std::optional<SheetFold> nearest;
   for (std::size_t i = 0; i + 1 < sheet.knots_u.size(); ++i) {
     const double from = sheet.knots_u[i], length = sheet.knots_u[i + 1] - from;
     for (int part = 0; length > 0 && part < parts; ++part) {
-      const auto fold = foldAlong(sheet, from + length * (part + 0.5) / parts);
+      const auto fold = foldAlong(jets, from + length * (part + 0.5) / parts);
       if (fold && (!nearest || fold->distance_mm < nearest->distance_mm)) nearest = fold;
     }
   }
