@@ -143,8 +143,8 @@ BoundarySeams measured(const TopoDS_Shape& model, const HoleSide& side,
   const TopTools_IndexedMapOfShape edges = partsOf(model, TopAbs_EDGE);
   const Neighbourhood around_it = around(side, face);
   const int made = static_cast<int>(around_it.faces.size()) + 1;
-  const SeamGraph graph =
-      seamsAt(side, boundary, around_it, {.match_mm = match_mm, .gap_mm = tolerance.gap_mm});
+  const SeamGraph graph = seamsAt(
+      side, boundary, around_it, {.match_mm = match_mm, .gap_mm = tolerance.gap_mm, .cubic = true});
   for (const Seam& seam : graph.seams) {
     const int other = seam.sides[0].face == made ? 1 : 0;
     if (seam.sides[1 - other].face != made || seam.sides[other].face == made) continue;
