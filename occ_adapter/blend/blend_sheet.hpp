@@ -50,6 +50,7 @@ struct BlendTask {
   ContinuityTolerance tolerance;
   /// What the fit of each side is near to, if that may be less than the tolerance; empty: that.
   std::vector<ContinuityTolerance> aims = {};
+  bool has_near_aims = false;  ///< some are nearer than is worth any number of spans
 
   const ContinuityTolerance& aim(int side) const { return aims.empty() ? tolerance : aims[side]; }
   int count() const { return static_cast<int>(sides.size()); }

@@ -249,15 +249,25 @@ struct SheetFit {
 // surface has few.
 constexpr int more_spans_for_aims = 8, few_poles = 16;
 
-/// The sheet near its aims, or within the tolerance where these take too many spans.
+/// What aims fall back to: an angle of no more than a tenth of the tolerance.
+void weakenAims(BlendTask& task) {
+  for (ContinuityTolerance& aim : task.aims) {
+    if (aim.angle_rad < task.tolerance.angle_rad)
+      aim.angle_rad = std::max(aim.angle_rad, 0.1 * task.tolerance.angle_rad);
+    aim.curvature_rel = task.tolerance.curvature_rel;
+  }
+  task.has_near_aims = false;
+}
+
+/// The sheet near its aims, or nearly within the tolerance where these take too many spans.
 RefinedSheet refined(BlendTask& task, double share, int max_spans, SheetKnots& knots,
                      const Progress& progress) {
-  if (!task.aims.empty()) {
+  if (task.has_near_aims) {
     const SheetKnots before = knots;
     RefinedSheet sheet = refinedSheet(
         task, share, std::min(max_spans, knots.spans() + more_spans_for_aims), knots, progress);
     if (sheet.left_excess == 0) return sheet;
-    task.aims.clear();
+    weakenAims(task);
     knots = before;
   }
   return refinedSheet(task, share, max_spans, knots, progress);
@@ -280,16 +290,16 @@ std::optional<SheetFit> cubicFit(BlendTask task, double share, int max_spans, in
 /// those within the tolerance.
 SheetFit firstFit(BlendTask& task, double share, int max_spans, const Progress& progress) {
   SheetKnots knots(task);
-  const bool has_aims = !task.aims.empty();
+  const bool had_near_aims = task.has_near_aims;
   BlendTask near_aims = task;
   RefinedSheet sheet = refined(task, share, max_spans, knots, progress);
-  const bool is_near = has_aims && !task.aims.empty();
-  if (!task.mayBeCubic() || knots.poles() <= few_poles || sheet.left_excess > 0 || is_near)
+  if (!task.mayBeCubic() || knots.poles() <= few_poles || sheet.left_excess > 0 ||
+      task.has_near_aims)
     return {std::move(sheet), std::move(knots)};
   std::optional<SheetFit> cubic;
-  if (has_aims) cubic = cubicFit(near_aims, share, max_spans, knots.poles(), progress);
+  if (had_near_aims) cubic = cubicFit(near_aims, share, max_spans, knots.poles(), progress);
   if (cubic) {
-    task.aims = near_aims.aims;
+    task = near_aims;
   } else {
     cubic = cubicFit(task, share, max_spans, knots.poles(), progress);
   }
@@ -364,12 +374,14 @@ ChosenEnd chosenExtension(const TopoDS_Shape& model, const BlendEnd& side,
 }
 
 BlendTask extensionOf(const ChosenEnd& end, double length_mm, const BlendSurfaceOptions& options) {
-  return {.sides = {BlendSide(end.path, end.directions, false)},
-          .ends = {end.end},
-          .length_mm = length_mm,
-          .closure = closureOf(end),
-          .tolerance = options.tolerance,
-          .aims = aimsOf({end}, options.tolerance)};
+  BlendTask task{.sides = {BlendSide(end.path, end.directions, false)},
+                 .ends = {end.end},
+                 .length_mm = length_mm,
+                 .closure = closureOf(end),
+                 .tolerance = options.tolerance,
+                 .aims = aimsOf({end}, options.tolerance)};
+  task.has_near_aims = !task.aims.empty();
+  return task;
 }
 
 }  // namespace
@@ -400,6 +412,7 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
                  .aims = aimsOf(ends, options.tolerance)};
   for (const SharedCorner& corner : shared) task.meets[corner.of_sides[0]] = true;
   task.laterals = lateralsOf(chosen.laterals, ends, task.sides, options.tolerance);
+  task.has_near_aims = !task.aims.empty();
   return fitted(model, chosen, task, options, progress);
 }
 
