@@ -29,7 +29,7 @@ struct Coedge {
 
 /// Corresponding points of the two sides of a matched seam: parameters a[i] of the first edge and
 /// b[i] of the second, 0..1 over the ranges of their curves. Both are linear in s between s[i] and
-/// s[i + 1]. s runs from 0 to 1, a increases, and b increases or decreases.
+/// s[i + 1]; b may be cubic (PiecewiseMap). s runs from 0 to 1, a rises, b rises or falls.
 struct Correspondence {
   std::vector<double> s;
   std::vector<double> a;

@@ -11,9 +11,13 @@ namespace seamwright::bspline {
 
 namespace {
 
+/// One number for each basis function of a span.
+using Functional =
+    Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, max_spline_degree + 1>;
+
 /// The values of the basis functions, by the recursion of Cox, de Boor and Mansfield.
-Eigen::RowVectorXd basisValues(int degree, const std::vector<double>& knots, int span, double t) {
-  Eigen::RowVectorXd values = Eigen::RowVectorXd::Zero(degree + 1);
+Functional basisValues(int degree, const std::vector<double>& knots, int span, double t) {
+  Functional values = Functional::Zero(degree + 1);
   values(0) = 1;
   for (int p = 1; p <= degree; ++p) {
     double carried = 0;
@@ -30,10 +34,9 @@ Eigen::RowVectorXd basisValues(int degree, const std::vector<double>& knots, int
 
 /// Converts a functional of the coefficients of the derivative, of degree p - 1, to a functional of
 /// the coefficients of the spline of degree p.
-Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vector<double>& knots,
-                            int span) {
+Functional onSpline(const Functional& functional, const std::vector<double>& knots, int span) {
   const int p = static_cast<int>(functional.size());
-  Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero(p + 1);
+  Functional result = Functional::Zero(p + 1);
   for (int j = 0; j < p; ++j) {
     const double factor = p * functional(j) / (knots[span + j + 1] - knots[span - p + j + 1]);
     result(j + 1) += factor;
@@ -88,7 +91,7 @@ Eigen::MatrixXd basisDerivatives(int degree, const std::vector<double>& knots, i
                                  int order) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(order + 1, degree + 1);
   for (int k = 0; k <= std::min(order, degree); ++k) {
-    Eigen::RowVectorXd functional = basisValues(degree - k, knots, span, t);
+    Functional functional = basisValues(degree - k, knots, span, t);
     while (functional.size() <= degree) functional = onSpline(functional, knots, span);
     result.row(k) = functional;
   }

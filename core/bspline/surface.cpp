@@ -10,6 +10,7 @@
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/bspline/surface.hpp>
+#include <seamwright/core/bspline/surface_jets.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -61,17 +62,21 @@ bool hasInnerKnots(const Direction& d) {
 }
 
 /// Homogeneous partials of the polynomial of a span.
-/// \param in_u, in_v derivatives of the basis functions of the span, one order per row.
+/// \param in_u, in_v derivatives of the basis functions of the span, one order per row, at most 4.
 /// \param poles the poles of the span.
 HomogeneousPartials splinePartials(const HomogeneousPoles& poles, const Eigen::MatrixXd& in_u,
                                    const Eigen::MatrixXd& in_v) {
   HomogeneousPartials h;
   for (auto& row : h) row.fill(Eigen::Vector4d::Zero());
+  const Eigen::Index orders = in_v.rows();
   for (Eigen::Index i = 0; i < in_u.cols(); ++i) {
-    const HomogeneousPoles along_v = in_v * poles.middleRows(i * in_v.cols(), in_v.cols());
+    std::array<Eigen::Vector4d, 4> along_v;
+    along_v.fill(Eigen::Vector4d::Zero());
+    for (Eigen::Index j = 0; j < in_v.cols(); ++j)
+      for (Eigen::Index l = 0; l < orders; ++l)
+        along_v[l] += in_v(l, j) * poles.row(i * in_v.cols() + j).transpose();
     for (Eigen::Index k = 0; k < in_u.rows(); ++k)
-      for (Eigen::Index l = 0; l < in_v.rows() && k + l < 4; ++l)
-        h[k][l] += in_u(k, i) * along_v.row(l).transpose();
+      for (Eigen::Index l = 0; l < orders && k + l < 4; ++l) h[k][l] += in_u(k, i) * along_v[l];
   }
   return h;
 }
@@ -112,14 +117,25 @@ BezierPatch bezierPatch(const BSplineSurface& surface) {
 }
 
 SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
+  return SurfaceJets(surface).at(u, v);
+}
+
+SurfaceJets::SurfaceJets(const BSplineSurface& surface) : surface_(&surface) {
   requireValid(surface);
+  is_rational_ = isRational(surface.poles);
+}
+
+SurfaceJet SurfaceJets::at(double u, double v, int order) const {
   if (!std::isfinite(u)) refuse(fmt::format("parameter u is {}: it must be finite", u));
   if (!std::isfinite(v)) refuse(fmt::format("parameter v is {}: it must be finite", v));
   using bspline::basisDerivatives, bspline::spanOf;
+  const BSplineSurface& surface = *surface_;
   const int span_u = spanOf(surface.degree_u, surface.knots_u, u);
   const int span_v = spanOf(surface.degree_v, surface.knots_v, v);
-  const Eigen::MatrixXd in_u = basisDerivatives(surface.degree_u, surface.knots_u, span_u, u, 3);
-  const Eigen::MatrixXd in_v = basisDerivatives(surface.degree_v, surface.knots_v, span_v, v, 3);
+  const Eigen::MatrixXd in_u =
+      basisDerivatives(surface.degree_u, surface.knots_u, span_u, u, order);
+  const Eigen::MatrixXd in_v =
+      basisDerivatives(surface.degree_v, surface.knots_v, span_v, v, order);
   HomogeneousPoles local((surface.degree_u + 1) * (surface.degree_v + 1), 4);
   for (int i = 0; i <= surface.degree_u; ++i) {
     const Eigen::Index first =
@@ -127,7 +143,7 @@ SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
         surface.degree_v;
     local.middleRows(i * in_v.cols(), in_v.cols()) = surface.poles.middleRows(first, in_v.cols());
   }
-  if (!isRational(surface.poles)) return affineJet(splinePartials(local, in_u, in_v));
+  if (!is_rational_) return affineJet(splinePartials(local, in_u, in_v));
   const Eigen::Vector4d value = splinePartials(local, in_u.topRows(1), in_v.topRows(1))[0][0];
   const Eigen::Vector3d here = value.head<3>() / value(3);
   SurfaceJet result = affineJet(splinePartials(about(local, here), in_u, in_v));

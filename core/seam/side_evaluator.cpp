@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <seamwright/core/numeric.hpp>
+#include <seamwright/core/seam/piecewise_map.hpp>
 #include <seamwright/core/seam/side_evaluator.hpp>
 
 namespace seamwright {
@@ -13,10 +14,8 @@ namespace {
 constexpr double shortest_crossing =
     0x1p-30;  ///< of the seam: a shorter piece takes both sides of a knot line
 
-double mapped(const std::vector<double>& from, const std::vector<double>& to, double value) {
-  const auto upper = std::upper_bound(from.begin() + 1, from.end() - 1, value);
-  const auto i = static_cast<std::size_t>(upper - from.begin());
-  return to[i - 1] + (value - from[i - 1]) * ((to[i] - to[i - 1]) / (from[i] - from[i - 1]));
+PiecewiseMap mapOf(const SeamSide& side) {
+  return {side.s, side.t};
 }
 
 /// The x in [-1, 1] at which a series takes a value, bracketed by two points on either side of the
@@ -68,13 +67,8 @@ SideEvaluator::SideEvaluator(const SeamSide& side) : side_(side) {
 void SideEvaluator::addBreaks(std::vector<double>& breaks) const {
   const auto [low, high] = std::minmax(side_.t.front(), side_.t.back());
   breaks.insert(breaks.end(), side_.s.begin() + 1, side_.s.end() - 1);
-  std::vector<double> s = side_.s, t = side_.t;
-  if (t.front() > t.back()) {
-    std::ranges::reverse(s);
-    std::ranges::reverse(t);
-  }
   for (const double knot : side_.path.knotsInside({low, high}))
-    breaks.push_back(mapped(t, s, knot));
+    breaks.push_back(mapOf(side_).backAt(knot));
 }
 
 SideFields SideEvaluator::fields(double from, double to, Detail detail) const {
@@ -102,11 +96,22 @@ SideFields SideEvaluator::fields(double from, double to, Detail detail) const {
 }
 
 ChebyshevModel SideEvaluator::parameter(double from, double to) const {
-  const double t0 = mapped(side_.s, side_.t, from);
-  const double t1 = mapped(side_.s, side_.t, to);
+  const PiecewiseMap map = mapOf(side_);
+  const double t0 = map.valueAt(from), t1 = map.valueAt(to);
   const double rounding =
       8 * machine_epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
-  return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
+  const std::size_t piece = map.pieceAt(0.5 * (from + to));
+  constexpr double at_end = 0x1p-40;  // breaks that differ by rounding are one
+  if (map.stride() == 1 || from < side_.s[piece] - at_end || to > side_.s[piece + 1] + at_end)
+    return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
+  // By how much the cubic differs from the chord at a third and at two thirds of the interval.
+  const double begin = map.shareIn(piece, from), step = (map.shareIn(piece, to) - begin) / 3;
+  const double bend0 = map.bend(piece, begin), bend1 = map.bend(piece, begin + 3 * step);
+  const double first = map.bend(piece, begin + step) - (2 * bend0 + bend1) / 3,
+               second = map.bend(piece, begin + 2 * step) - (bend0 + 2 * bend1) / 3;
+  const double even = 27.0 / 96 * (first + second), odd = 27.0 / 64 * (first - second);
+  const std::array<double, 4> cubic = {0.5 * (t0 + t1) + even, 0.5 * (t1 - t0) - odd, -even, odd};
+  return ChebyshevModel::series(cubic, 2 * rounding);
 }
 
 /// One point of each smooth piece of the surface that coordinate d of the path meets.

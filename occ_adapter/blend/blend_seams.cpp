@@ -7,8 +7,10 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
+#include <seamwright/core/bspline/surface_jets.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/blend/blend_seams.hpp>
 #include <seamwright/occ_adapter/blend/blend_sheet.hpp>
@@ -83,23 +85,25 @@ SeamGraph seamsAt(const HoleSide& side, const BlendBoundary& boundary,
 /// The largest distance between a side and the boundary of the sheet that was made on it.
 double farthest_mm(const BlendSide& side, const BSplineSurface& sheet, std::size_t k) {
   constexpr int samples = 256;
+  const SurfaceJets jets(sheet);
   double largest = 0;
   for (int i = 0; i <= samples; ++i) {
     const double share = static_cast<double>(i) / samples;
-    const Eigen::Vector3d made = jet(sheet, share, static_cast<double>(k)).p;
+    const Eigen::Vector3d made = jets.at(share, static_cast<double>(k), 0).p;
     largest = std::max(largest, (side.at(share, i < samples).point - made).norm());
   }
   return largest;
 }
 
 /// Why seams do not cover a side; empty if they do.
-std::string reasonOf(double covered_mm, double length_mm, double match_mm, double apart_mm) {
+std::string reasonOf(double covered_mm, double length_mm, double match_mm,
+                     const std::function<double()>& apart_mm) {
   // A seam may end a little before the side does.
   constexpr double most_of_it = 0.98;
   if (covered_mm >= most_of_it * length_mm) return "";
   const std::string apart =
       fmt::format("the new edge is up to {:.3g} mm from the side, a seam at most {:.3g} mm",
-                  apart_mm, match_mm);
+                  apart_mm(), match_mm);
   if (covered_mm == 0) return "no seam: " + apart;
   return fmt::format("seams cover {:.4g} of {:.4g} mm: {}", covered_mm, length_mm, apart);
 }
@@ -139,8 +143,8 @@ BoundarySeams measured(const TopoDS_Shape& model, const HoleSide& side,
   const TopTools_IndexedMapOfShape edges = partsOf(model, TopAbs_EDGE);
   const Neighbourhood around_it = around(side, face);
   const int made = static_cast<int>(around_it.faces.size()) + 1;
-  const SeamGraph graph =
-      seamsAt(side, boundary, around_it, {.match_mm = match_mm, .gap_mm = tolerance.gap_mm});
+  const SeamGraph graph = seamsAt(
+      side, boundary, around_it, {.match_mm = match_mm, .gap_mm = tolerance.gap_mm, .cubic = true});
   for (const Seam& seam : graph.seams) {
     const int other = seam.sides[0].face == made ? 1 : 0;
     if (seam.sides[1 - other].face != made || seam.sides[other].face == made) continue;
@@ -186,7 +190,7 @@ void measureLateral(const TopoDS_Shape& model, const ChosenLateral& chosen,
     std::ranges::move(found.seams, std::back_inserter(report.seams));
     if (result.reason.empty())
       result.reason = reasonOf(result.covered_mm, chosen.beside->length_mm(), 2 * tolerance.gap_mm,
-                               result.distance_mm);
+                               [&] { return result.distance_mm; });
   }
   report.reached = report.reached && result.reason.empty();
   report.laterals.push_back(std::move(result));
@@ -209,7 +213,7 @@ void measureBlend(const TopoDS_Shape& model, const ChosenBlend& chosen, const Bl
     end.covered_mm = found.covered_mm;
     std::ranges::move(found.seams, std::back_inserter(report.seams));
     end.reason = reasonOf(end.covered_mm, end.length_mm, 2 * task.tolerance.gap_mm,
-                          farthest_mm(task.sides[k], report.surface, k));
+                          [&] { return farthest_mm(task.sides[k], report.surface, k); });
     end.reached = found.reached && end.reason.empty();
     report.reached = report.reached && end.reached;
     report.ends.push_back(std::move(end));

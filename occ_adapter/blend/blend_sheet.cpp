@@ -9,6 +9,7 @@
 #include <functional>
 
 #include <seamwright/core/blend/hermite_sheet.hpp>
+#include <seamwright/core/bspline/surface_jets.hpp>
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/core/seam/measure.hpp>
@@ -18,8 +19,6 @@
 namespace seamwright::occ {
 
 namespace {
-
-constexpr int degree_along = 5;
 
 /// The parameter up to which a curve, given by its derivatives at 0, has the length.
 double parameterAtLength(const CurveDerivatives& derivatives, double length_mm) {
@@ -148,7 +147,7 @@ class MeetingSlopes {
 /// that power of the share, and the first one has its exact direction. So curvatures, which are
 /// quotients of these, stay bounded.
 std::vector<SheetRibbon> meetingRibbons(const BlendTask& task, const std::vector<double>& knots) {
-  const GrevilleInterpolation positions(degree_along, knots, task.closure);
+  const GrevilleInterpolation positions(task.degree, knots, task.closure);
   std::vector<SheetRibbon> ribbons;
   for (int k = 0; k < task.count(); ++k) {
     const MeetingSlopes slopes(task, k);
@@ -158,10 +157,10 @@ std::vector<SheetRibbon> meetingRibbons(const BlendTask& task, const std::vector
       points.row(i) = task.sides[k].at(share, share < 1).point + towardMeeting(task, k, share);
       cubic.row(i) = slopes.at(share);
     }
-    ribbons.push_back({degree_along, knots, {positions.poles(points)}});
+    ribbons.push_back({task.degree, knots, {positions.poles(points)}});
     for (int order = 1; order <= task.ends[k].order; ++order) {
       const int zeros = std::max(2, order);
-      const ZeroEndInterpolation fields(degree_along, knots, task.meets[0] ? zeros : 0,
+      const ZeroEndInterpolation fields(task.degree, knots, task.meets[0] ? zeros : 0,
                                         task.meets[1] ? zeros : 0);
       Eigen::MatrixXd values(fields.parameters().size(), 3);
       for (Eigen::Index i = 0; i < values.rows(); ++i) {
@@ -182,7 +181,7 @@ BSplineSurface sheetOver(const BlendTask& task, const std::vector<double>& knots
     const std::vector<SheetRibbon> ribbons = meetingRibbons(task, knots);
     return hermiteSheet(ribbons[0], ribbons[1]);
   }
-  const GrevilleInterpolation interpolation(degree_along, knots, task.closure);
+  const GrevilleInterpolation interpolation(task.degree, knots, task.closure);
   const std::vector<double>& parameters = interpolation.parameters();
   std::vector<Eigen::MatrixXd> values;
   for (const BlendEnd& end : task.ends) values.emplace_back(parameters.size(), 3 * (end.order + 1));
@@ -194,7 +193,7 @@ BSplineSurface sheetOver(const BlendTask& task, const std::vector<double>& knots
   std::vector<SheetRibbon> ribbons;
   for (int k = 0; k < task.count(); ++k) {
     const Eigen::MatrixXd poles = interpolation.poles(values[k]);
-    ribbons.push_back({.degree = degree_along, .knots = knots, .derivatives = {}});
+    ribbons.push_back({.degree = task.degree, .knots = knots, .derivatives = {}});
     for (int order = 0; order <= task.ends[k].order; ++order)
       ribbons[k].derivatives.emplace_back(poles.middleCols(3 * order, 3));
   }
@@ -202,11 +201,11 @@ BSplineSurface sheetOver(const BlendTask& task, const std::vector<double>& knots
 }
 
 /// The largest figure at a point of an end over its tolerance.
-double excessAt(const BlendTask& task, const BSplineSurface& sheet, int k, double share) {
+double excessAt(const BlendTask& task, const SurfaceJets& sheet, int k, double share) {
   const SideSample sample = task.sides[k].at(share, share < 1);
   const bool third = task.ends[k].order == most_blend_order;
   const SidePoint of_face{sample.jet, {}, sample.derivative, true, third},
-      of_sheet{jet(sheet, share, k), {}, sample.derivative, true, third};
+      of_sheet{sheet.at(share, k), {}, sample.derivative, true, third};
   const PairMeasure figures = measurePair(of_face, of_sheet);
   const ContinuityTolerance& tolerance = task.aim(k);
   double excess = figures.gap_mm.value_or(HUGE_VAL) / tolerance.gap_mm;
@@ -242,13 +241,14 @@ PoorSpans poorSpans(const BlendTask& task, const BSplineSurface& sheet, const Sh
   // half of the digits.
   const auto is_third = [](const BlendEnd& end) { return end.order == most_blend_order; };
   const double shortest = std::ranges::any_of(task.ends, is_third) ? 1.0 / 512 : 1.0 / 65536;
+  const SurfaceJets jets(sheet);
   PoorSpans result;
   const std::map<double, int>& at = knots.multiplicities();
   for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
     PoorSpan span{from->first, to->first};
     const auto look = [&](double share) {
       for (int k = 0; k < task.count(); ++k)
-        span.excess = std::max(span.excess, excessAt(task, sheet, k, share));
+        span.excess = std::max(span.excess, excessAt(task, jets, k, share));
     };
     for (const double sample : samples) {
       // Nearer to a corner where sides meet, second differences have no digits.
@@ -270,7 +270,7 @@ PoorSpans poorSpans(const BlendTask& task, const BSplineSurface& sheet, const Sh
 }
 
 /// The multiplicity of a knot at a break of a side; 1 where only derivatives above the second jump.
-int multiplicityAt(const BlendSide& side, double at) {
+int multiplicityAt(const BlendSide& side, double at, int degree) {
   // Of the side: far above rounding, and so near that smooth curvature changes by less than
   // another sixth digit. A jump below the fourth digit is below every tolerance.
   constexpr double beside = 1e-7, least_jump = 1e-4;
@@ -281,7 +281,7 @@ int multiplicityAt(const BlendSide& side, double at) {
     return !((a - b).norm() <= least_jump * std::max(a.norm(), b.norm()));
   };
   // The path may turn, and derivatives of the directions jump.
-  if (differ(one, other) || differ(before.derivative, after.derivative)) return degree_along;
+  if (differ(one, other) || differ(before.derivative, after.derivative)) return degree;
   // What second derivatives of the path differ by, without what the third ones make of it.
   const auto jump = [&](double step) -> Eigen::Vector3d {
     return (side.at(at + step).derivative - after.derivative -
@@ -292,16 +292,16 @@ int multiplicityAt(const BlendSide& side, double at) {
   const Eigen::Vector3d bend = 2 * jump(0.5 * step) - jump(step);
   const double size =
       (side.at(at + step).derivative - side.at(at - step).derivative).norm() / (2 * step);
-  return bend.norm() > least_bend * (size + after.derivative.norm()) ? degree_along - 1 : 1;
+  return bend.norm() > least_bend * (size + after.derivative.norm()) ? degree - 1 : 1;
 }
 
 /// Where normals turn over along a line across the sheet.
-std::optional<SheetFold> foldAlong(const BSplineSurface& sheet, double u) {
+std::optional<SheetFold> foldAlong(const SurfaceJets& sheet, double u) {
   constexpr int steps = 24;
-  Eigen::Vector3d before = Eigen::Vector3d::Zero(), last = jet(sheet, u, 0).p;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero(), last = sheet.at(u, 0, 0).p;
   double distance_mm = 0;
   for (int i = 0; i <= steps; ++i) {
-    const SurfaceJet there = jet(sheet, u, static_cast<double>(i) / steps);
+    const SurfaceJet there = sheet.at(u, static_cast<double>(i) / steps, 1);
     distance_mm += (there.p - last).norm();
     last = there.p;
     const Eigen::Vector3d normal = there.u.cross(there.v);
@@ -317,8 +317,13 @@ double weightBeside(LateralSide side, double u) {
   return std::pow(side == LateralSide::First ? 1 - u : u, 3);
 }
 
+bool BlendTask::mayBeCubic() const {
+  return laterals.empty() && !meets[0] && !meets[1] &&
+         std::ranges::all_of(ends, [](const BlendEnd& end) { return end.order <= 2; });
+}
+
 SheetKnots::SheetKnots(const BlendTask& task)
-    : multiplicities_{{0, degree_along + 1}, {1, degree_along + 1}} {
+    : degree_(task.degree), multiplicities_{{0, degree_ + 1}, {1, degree_ + 1}} {
   constexpr double end = 1e-6;  // nearer, there is no room for the differences
   // G3 holds third derivatives, so that every break counts.
   const bool is_third = std::ranges::any_of(
@@ -327,9 +332,9 @@ SheetKnots::SheetKnots(const BlendTask& task)
     for (const auto& places : {side.joints(), side.breaks()})
       for (const double at : places) {
         if (at < end || at > 1 - end) continue;
-        const int multiplicity = multiplicityAt(side, at);
+        const int multiplicity = multiplicityAt(side, at, degree_);
         if (is_third)
-          add(at, std::max(multiplicity, degree_along - 1));
+          add(at, std::max(multiplicity, degree_ - 1));
         else if (multiplicity > 1)
           add(at, multiplicity);
         else
@@ -340,7 +345,7 @@ SheetKnots::SheetKnots(const BlendTask& task)
 }
 
 SheetKnots::SheetKnots(int degree, const std::map<double, int>& inner)
-    : multiplicities_{{0, degree + 1}, {1, degree + 1}} {
+    : degree_(degree), multiplicities_{{0, degree + 1}, {1, degree + 1}} {
   for (const auto& [at, multiplicity] : inner) add(at, multiplicity);
   fill();
 }
@@ -351,7 +356,21 @@ std::vector<double> SheetKnots::breaksWithin(double from, double to) const {
   return first < last ? std::vector(first, last) : std::vector<double>();
 }
 
+void SheetKnots::divide(double from, double to) {
+  const double middle = 0.5 * (from + to);
+  const std::vector<double> inside = breaksWithin(from, to);
+  const auto nearest =
+      std::ranges::min_element(inside, {}, [&](double at) { return std::abs(at - middle); });
+  // A choice: spans that are much shorter than those beside are as little use as knots elsewhere.
+  constexpr double near = 0.25;
+  if (nearest == inside.end() || std::abs(*nearest - middle) > near * (to - from))
+    return halve(from, to);
+  std::erase(breaks_, *nearest);
+  add(*nearest, 1);
+}
+
 void SheetKnots::refine(double from, double to) {
+  if (degree_ == 3) return divide(from, to);
   // Choices: over longer spans splines are near enough in spite of most breaks, and knots that are
   // much nearer to one another than the span is long make spikes of curvature.
   constexpr double short_span = 1.0 / 48, least_part = 0.1;
@@ -362,7 +381,7 @@ void SheetKnots::refine(double from, double to) {
     std::erase(breaks_, at);
     if (std::min(at - last, to - at) < least_part * (to - from)) continue;
     // Second derivatives are continuous there, and stay so.
-    add(at, degree_along - 2);
+    add(at, degree_ - 2);
     last = at;
   }
   if (last == from) halve(from, to);
@@ -371,6 +390,12 @@ void SheetKnots::refine(double from, double to) {
 void SheetKnots::fill() {
   // A boundary with fewer spans meets its tolerance by chance only.
   constexpr double longest = 0.25;
+  for (auto from = multiplicities_.begin();
+       degree_ == 3 && std::next(from) != multiplicities_.end();)
+    if (const double to = std::next(from)->first; to - from->first > longest)
+      divide(from->first, to);
+    else
+      ++from;
   const std::map<double, int> needed = multiplicities_;
   for (auto from = needed.begin(), to = std::next(from); to != needed.end(); from = to++) {
     const double length = to->first - from->first;
@@ -424,12 +449,13 @@ BSplineSurface firstSheet(const BlendTask& task) {
 }
 
 RefinedSheet refinedSheet(const BlendTask& task, double share_of_aim, int max_spans,
-                          SheetKnots& knots, const Progress& progress) {
+                          SheetKnots& knots, const Progress& progress, int max_poles) {
   for (int round = 0;; ++round) {
     checkProgress(progress, shareAfter(round));
     BSplineSurface sheet = sheetOver(task, knots.flat());
     const PoorSpans poor = poorSpans(task, sheet, knots, share_of_aim);
-    const int more = std::min(static_cast<int>(poor.divisible.size()), max_spans - knots.spans());
+    const int more = std::min({static_cast<int>(poor.divisible.size()), max_spans - knots.spans(),
+                               max_poles - knots.poles()});
     if (more <= 0) {
       const double left = poor.divisible.empty() ? 0 : poor.divisible[0].excess;
       return {std::move(sheet), std::max(left, poor.stuck_excess)};
@@ -441,11 +467,12 @@ RefinedSheet refinedSheet(const BlendTask& task, double share_of_aim, int max_sp
 
 std::optional<SheetFold> foldOf(const BSplineSurface& sheet) {
   constexpr int parts = 8;  // of a span: a choice
+  const SurfaceJets jets(sheet);
   std::optional<SheetFold> nearest;
   for (std::size_t i = 0; i + 1 < sheet.knots_u.size(); ++i) {
     const double from = sheet.knots_u[i], length = sheet.knots_u[i + 1] - from;
     for (int part = 0; length > 0 && part < parts; ++part) {
-      const auto fold = foldAlong(sheet, from + length * (part + 0.5) / parts);
+      const auto fold = foldAlong(jets, from + length * (part + 0.5) / parts);
       if (fold && (!nearest || fold->distance_mm < nearest->distance_mm)) nearest = fold;
     }
   }

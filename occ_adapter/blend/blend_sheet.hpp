@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,12 +46,16 @@ struct BlendTask {
   /// Whether both sides meet at the shares 0 and 1, so that the boundary there is a point.
   std::array<bool, 2> meets = {};
   SplineClosure closure = SplineClosure::Open;
+  int degree = 5;  ///< along the sides; 3 where knots of cubic splines make third derivatives jump
   ContinuityTolerance tolerance;
   /// What the fit of each side is near to, if that may be less than the tolerance; empty: that.
   std::vector<ContinuityTolerance> aims = {};
+  bool has_near_aims = false;  ///< some are nearer than is worth any number of spans
 
   const ContinuityTolerance& aim(int side) const { return aims.empty() ? tolerance : aims[side]; }
   int count() const { return static_cast<int>(sides.size()); }
+  /// Lateral boundaries, corners and G3 need more derivatives.
+  bool mayBeCubic() const;
 };
 
 /// Inner knots along the sides, by their multiplicity.
@@ -63,7 +68,8 @@ class SheetKnots {
   SheetKnots(int degree, const std::map<double, int>& inner);
 
   void halve(double from, double to) { multiplicities_[0.5 * (from + to)] = 1; }
-  /// Halves the span, or makes knots of the breaks in it if it is short.
+  /// Halves the span, or makes knots of the breaks in it if it is short. A cubic span is divided at
+  /// a break near its middle, if there is one.
   void refine(double from, double to);
   /// Places inside of the span where only higher derivatives of the sides jump.
   std::vector<double> breaksWithin(double from, double to) const;
@@ -71,12 +77,16 @@ class SheetKnots {
   void grade();
   const std::map<double, int>& multiplicities() const { return multiplicities_; }
   int spans() const { return static_cast<int>(multiplicities_.size()) - 1; }
+  /// Of a spline over the knots.
+  int poles() const { return static_cast<int>(flat().size()) - degree_ - 1; }
   std::vector<double> flat() const;
 
  private:
   void add(double at, int multiplicity);
+  void divide(double from, double to);
   void fill();
 
+  int degree_;
   std::map<double, int> multiplicities_;
   std::vector<double> breaks_;  ///< that are no knots yet
 };
@@ -91,10 +101,12 @@ struct RefinedSheet {
   double left_excess = 0;
 };
 
-/// Halves spans until no sample is beyond that share of its aim, or no span can be halved.
+/// Halves spans until no sample is beyond that share of its aim, or no span can be halved, or there
+/// are as many spans or poles along the sides as that.
 /// \throws GeometryError where a side can't be continued, and for sides that touch; Cancelled.
 RefinedSheet refinedSheet(const BlendTask& task, double share_of_aim, int max_spans,
-                          SheetKnots& knots, const Progress& progress);
+                          SheetKnots& knots, const Progress& progress,
+                          int max_poles = std::numeric_limits<int>::max());
 
 /// The place nearest to the start where the sheet turns over, if it does so anywhere.
 std::optional<SheetFold> foldOf(const BSplineSurface& sheet);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <seamwright/core/angle.hpp>
@@ -21,6 +22,7 @@
 #include <seamwright/occ_adapter/blend/lateral_fit.hpp>
 #include <seamwright/occ_adapter/blend/shared_corner.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
+#include <seamwright/occ_adapter/fill/self_contact.hpp>
 #include <seamwright/occ_adapter/model/compound.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 
@@ -156,6 +158,20 @@ double twistBetween(const BlendSide& a, const BlendSide& b) {
   return sum / (facing_samples + 1);
 }
 
+/// Whether tangents are carried to the other side by more than a right angle anywhere. The vertex
+/// that sides share says how they run, and their angle may be that large.
+bool isTwisted(const BlendTask& task) {
+  if (task.count() < 2 || task.meets[0] || task.meets[1]) return false;
+  for (int i = 0; i <= facing_samples; ++i) {
+    const double share = static_cast<double>(i) / facing_samples;
+    const bool after = i < facing_samples;
+    if (twistAt(task.sides[0].at(share, after), task.sides[1].at(share, after)) >
+        std::numbers::pi / 2)
+      return true;
+  }
+  return false;
+}
+
 /// The beginning of a closed side that is nearest to the start's.
 Facing nearestBegin(const BlendSide& start, const ChosenEnd& end, bool reversed) {
   Facing best{.reversed = reversed};
@@ -223,32 +239,96 @@ void requireNoLateralAt(const std::vector<SharedCorner>& shared,
                         fmt::join(lateral.edges, ", ")));
 }
 
-/// The sheet near its aims, or within the tolerance where these take too many spans.
+/// A sheet, and the knots that it took.
+struct SheetFit {
+  RefinedSheet sheet;
+  SheetKnots knots;
+};
+
+// Choices: what is worth being nearer than the tolerance; and poles along the sides of which a
+// surface has few.
+constexpr int more_spans_for_aims = 8, few_poles = 16;
+
+/// What aims fall back to: an angle of no more than a tenth of the tolerance.
+void weakenAims(BlendTask& task) {
+  for (ContinuityTolerance& aim : task.aims) {
+    if (aim.angle_rad < task.tolerance.angle_rad)
+      aim.angle_rad = std::max(aim.angle_rad, 0.1 * task.tolerance.angle_rad);
+    aim.curvature_rel = task.tolerance.curvature_rel;
+  }
+  task.has_near_aims = false;
+}
+
+/// The sheet near its aims, or nearly within the tolerance where these take too many spans.
 RefinedSheet refined(BlendTask& task, double share, int max_spans, SheetKnots& knots,
                      const Progress& progress) {
-  // A choice: a side of a model that is no smoother than its tolerance takes any number.
-  constexpr int more_for_aims = 60;
-  if (!task.aims.empty()) {
+  if (task.has_near_aims) {
     const SheetKnots before = knots;
     RefinedSheet sheet = refinedSheet(
-        task, share, std::min(max_spans, knots.spans() + more_for_aims), knots, progress);
+        task, share, std::min(max_spans, knots.spans() + more_spans_for_aims), knots, progress);
     if (sheet.left_excess == 0) return sheet;
-    task.aims.clear();
+    weakenAims(task);
     knots = before;
   }
   return refinedSheet(task, share, max_spans, knots, progress);
+}
+
+/// A cubic sheet of fewer poles along the sides than that; nothing if it is not within its aims.
+/// Knots of cubic splines, at which third derivatives jump, take one pole each of it, and several
+/// of a quintic one.
+std::optional<SheetFit> cubicFit(BlendTask task, double share, int max_spans, int below_poles,
+                                 const Progress& progress) {
+  task.degree = 3;
+  SheetKnots knots(task);
+  if (knots.poles() >= below_poles) return std::nullopt;
+  RefinedSheet sheet = refinedSheet(task, share, max_spans, knots, progress, below_poles - 1);
+  if (sheet.left_excess > 0) return std::nullopt;
+  return SheetFit{std::move(sheet), std::move(knots)};
+}
+
+/// The fit with few poles: quintic ones near the aims; if these take too many, cubic ones; then
+/// those within the tolerance.
+SheetFit firstFit(BlendTask& task, double share, int max_spans, const Progress& progress) {
+  SheetKnots knots(task);
+  const bool had_near_aims = task.has_near_aims;
+  BlendTask near_aims = task;
+  RefinedSheet sheet = refined(task, share, max_spans, knots, progress);
+  if (!task.mayBeCubic() || knots.poles() <= few_poles || sheet.left_excess > 0 ||
+      task.has_near_aims)
+    return {std::move(sheet), std::move(knots)};
+  std::optional<SheetFit> cubic;
+  if (had_near_aims) cubic = cubicFit(near_aims, share, max_spans, knots.poles(), progress);
+  if (cubic) {
+    task = near_aims;
+  } else {
+    cubic = cubicFit(task, share, max_spans, knots.poles(), progress);
+  }
+  if (!cubic) return {std::move(sheet), std::move(knots)};
+  task.degree = 3;
+  return std::move(*cubic);
+}
+
+/// Only blends that are twisted are tested: others seldom meet themselves but where they fold, and
+/// the test takes longer than they do.
+void noteContact(const BlendTask& task, BlendSurfaceReport& report) {
+  if (!isTwisted(task) || !meetThemselves({report.face})) return;
+  report.reached = false;
+  std::string& reason = report.ends.back().reason;
+  if (!reason.empty()) reason += "; ";
+  reason += "the surface runs through itself: perhaps the end runs in the wrong direction (flip)";
 }
 
 /// The sheet with as many spans as its seams need, and its seams.
 BlendSurfaceReport fitted(const TopoDS_Shape& model, const ChosenBlend& chosen, BlendTask task,
                           const BlendSurfaceOptions& options, const Progress& progress,
                           const ExtensionTarget* target = nullptr) {
-  SheetKnots knots(task);
+  constexpr std::array<double, 3> shares = {0.5, 0.25, 0.125};
+  auto [sheet, knots] = firstFit(task, shares[0], options.max_spans, progress);
   BlendSurfaceReport report;
   Eigen::Index poles = 0;
   // Seams are worst between the samples: then less is allowed at these.
-  for (const double share : {0.5, 0.25, 0.125}) {
-    const RefinedSheet sheet = refined(task, share, options.max_spans, knots, progress);
+  for (const double share : shares) {
+    if (share < shares[0]) sheet = refined(task, share, options.max_spans, knots, progress);
     report.surface = fittedToLaterals(task, sheet.surface, share, options.max_spans, progress);
     report.spans = knots.spans();
     if (report.surface.poles.rows() == poles) break;
@@ -257,19 +337,25 @@ BlendSurfaceReport fitted(const TopoDS_Shape& model, const ChosenBlend& chosen, 
     measureBlend(model, chosen, task, report);
     if (report.reached || knots.spans() >= options.max_spans) break;
   }
+  noteContact(task, report);
   report.shape = compoundOf({model, report.face});
   return report;
 }
 
 /// Sides that are parameter lines are known up to rounding: there the fit is as near as
-/// measurements of such seams show. Others are known to a tolerance.
-ContinuityTolerance aimOf(const ChosenEnd& end, const ContinuityTolerance& tolerance) {
-  ContinuityTolerance aim = tolerance;
-  if (!isAlongParameterLines(end.edges)) return aim;
+/// measurements of such seams show. Others are known to a tolerance. Empty if no side is one.
+std::vector<ContinuityTolerance> aimsOf(const std::vector<ChosenEnd>& ends,
+                                        const ContinuityTolerance& tolerance) {
   constexpr double angle_rad = 0.001 * radians_per_degree, curvature_rel = 1e-3;
-  aim.angle_rad = std::min(aim.angle_rad, angle_rad);
-  aim.curvature_rel = std::min(aim.curvature_rel, curvature_rel);
-  return aim;
+  std::vector<ContinuityTolerance> aims(ends.size(), tolerance);
+  bool has_any = false;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!isAlongParameterLines(ends[k].edges)) continue;
+    has_any = true;
+    aims[k].angle_rad = std::min(tolerance.angle_rad, angle_rad);
+    aims[k].curvature_rel = std::min(tolerance.curvature_rel, curvature_rel);
+  }
+  return has_any ? aims : std::vector<ContinuityTolerance>();
 }
 
 SplineClosure closureOf(const ChosenEnd& end) {
@@ -288,12 +374,14 @@ ChosenEnd chosenExtension(const TopoDS_Shape& model, const BlendEnd& side,
 }
 
 BlendTask extensionOf(const ChosenEnd& end, double length_mm, const BlendSurfaceOptions& options) {
-  return {.sides = {BlendSide(end.path, end.directions, false)},
-          .ends = {end.end},
-          .length_mm = length_mm,
-          .closure = closureOf(end),
-          .tolerance = options.tolerance,
-          .aims = {aimOf(end, options.tolerance)}};
+  BlendTask task{.sides = {BlendSide(end.path, end.directions, false)},
+                 .ends = {end.end},
+                 .length_mm = length_mm,
+                 .closure = closureOf(end),
+                 .tolerance = options.tolerance,
+                 .aims = aimsOf({end}, options.tolerance)};
+  task.has_near_aims = !task.aims.empty();
+  return task;
 }
 
 }  // namespace
@@ -321,9 +409,10 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
                  .ends = {ends[0].end, ends[1].end},
                  .closure = closureOf(ends[0]),
                  .tolerance = options.tolerance,
-                 .aims = {aimOf(ends[0], options.tolerance), aimOf(ends[1], options.tolerance)}};
+                 .aims = aimsOf(ends, options.tolerance)};
   for (const SharedCorner& corner : shared) task.meets[corner.of_sides[0]] = true;
   task.laterals = lateralsOf(chosen.laterals, ends, task.sides, options.tolerance);
+  task.has_near_aims = !task.aims.empty();
   return fitted(model, chosen, task, options, progress);
 }
 

@@ -36,12 +36,17 @@ void LateralCurve::addPiece(const ChainedEdge& edge, bool backwards) {
   const bool forward = edge.forward != backwards;
   const double first = forward ? of.first : of.last, last = forward ? of.last : of.first;
   const GeomAdaptor_Curve curve(of.curve, of.first, of.last);
-  pieces_.push_back({of.number, curve, first, last, ArcLength([=](double share) {
-                       gp_Pnt point;
-                       gp_Vec derivative;
-                       curve.D1(first + share * (last - first), point, derivative);
-                       return std::abs(last - first) * derivative.Magnitude();
-                     })});
+  const auto speed_mm = [&](double share) {
+    gp_Pnt point;
+    gp_Vec derivative;
+    curve.D1(first + share * (last - first), point, derivative);
+    return std::abs(last - first) * derivative.Magnitude();
+  };
+  TColStd_Array1OfReal at(1, curve.NbIntervals(GeomAbs_CN) + 1);
+  curve.Intervals(at, GeomAbs_CN);
+  std::vector<double> breaks;
+  for (const double parameter : at) breaks.push_back((parameter - first) / (last - first));
+  pieces_.push_back({of.number, curve, first, last, PathLength(speed_mm, breaks)});
   begins_mm_.push_back(length_mm_);
   length_mm_ += pieces_.back().length.length_mm();
 }

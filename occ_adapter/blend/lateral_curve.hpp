@@ -39,7 +39,7 @@ class LateralCurve {
     int number = 0;
     GeomAdaptor_Curve curve;
     double first = 0, last = 0;  ///< parameters in the direction of the chain
-    ArcLength length;
+    PathLength length;
 
     double parameterAt(double share_of_range) const {
       return first + share_of_range * (last - first);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include <seamwright/core/bspline/surface_jets.hpp>
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/occ_adapter/blend/lateral_fit.hpp>
@@ -23,9 +24,9 @@ double parameterOf(LateralSide side) {
 /// which may lie beside the curve by no more than the gap tolerance.
 class LateralTarget {
  public:
-  LateralTarget(const BlendLateral& lateral, const BSplineSurface& sheet) : lateral_(&lateral) {
+  LateralTarget(const BlendLateral& lateral, const SurfaceJets& sheet) : lateral_(&lateral) {
     for (const int end : {0, 1})
-      beside_[end] = jet(sheet, parameterOf(lateral.side), end).p - lateral.curve->at(end);
+      beside_[end] = sheet.at(parameterOf(lateral.side), end, 0).p - lateral.curve->at(end);
   }
   const BlendLateral& lateral() const { return *lateral_; }
   Vector3d at(double v) const {
@@ -54,39 +55,44 @@ Eigen::MatrixXd interpolated(const BlendTask& task, const BSplineSurface& sheet,
 }
 
 /// The part of the partial by u that leaves the tangent plane of the face beside.
-Vector3d beyondPlane(const BlendLateral& lateral, const BSplineSurface& sheet, double v) {
+Vector3d beyondPlane(const BlendLateral& lateral, const SurfaceJets& sheet, double v) {
   const Vector3d normal = lateral.normal(lateral.pace.shareAt(v));
-  return jet(sheet, parameterOf(lateral.side), v).u.dot(normal) * normal;
+  return sheet.at(parameterOf(lateral.side), v, 1).u.dot(normal) * normal;
 }
 
 /// What the second partial by u lacks for the curvature of the face beside. The first one lies in
 /// the tangent plane.
-Vector3d lackOfBend(const BlendLateral& lateral, const BSplineSurface& sheet, double v) {
+Vector3d lackOfBend(const BlendLateral& lateral, const SurfaceJets& sheet, double v) {
   const double share = lateral.pace.shareAt(v);
   const Vector3d normal = lateral.normal(share);
-  const SurfaceJet there = jet(sheet, parameterOf(lateral.side), v);
+  const SurfaceJet there = sheet.at(parameterOf(lateral.side), v, 2);
   return (there.u.dot(lateral.curvature(share) * there.u) - there.uu.dot(normal)) * normal;
 }
 
 BSplineSurface movedToLaterals(const BlendTask& task, const BSplineSurface& sheet) {
   BSplineSurface moved = sheet;
   for (const BlendLateral& lateral : task.laterals) {
-    const LateralTarget target(lateral, sheet);
+    const LateralTarget target(lateral, SurfaceJets(sheet));
+    const SurfaceJets before(moved);
     const double u = parameterOf(lateral.side);
     moved = displacedBoundary(moved, lateral.side, interpolated(task, moved, [&](double v) {
-                                return Vector3d(target.at(v) - jet(moved, u, v).p);
+                                return Vector3d(target.at(v) - before.at(u, v, 0).p);
                               }));
   }
   for (const BlendLateral& lateral : task.laterals)
-    if (lateral.normal)
+    if (lateral.normal) {
+      const SurfaceJets before(moved);
       moved = turnedBoundary(moved, lateral.side, interpolated(task, moved, [&](double v) {
-                               return Vector3d(-beyondPlane(lateral, moved, v));
+                               return Vector3d(-beyondPlane(lateral, before, v));
                              }));
+    }
   for (const BlendLateral& lateral : task.laterals)
-    if (lateral.curvature)
+    if (lateral.curvature) {
+      const SurfaceJets before(moved);
       moved = bentBoundary(moved, lateral.side, interpolated(task, moved, [&](double v) {
-                             return lackOfBend(lateral, moved, v);
+                             return lackOfBend(lateral, before, v);
                            }));
+    }
   return moved;
 }
 
@@ -104,10 +110,10 @@ double bendBeside(const BlendTask& task, const BlendLateral& lateral, const Surf
 }
 
 /// The largest figure at a point of a lateral boundary over its tolerance.
-double excessBeside(const BlendTask& task, const BSplineSurface& sheet, const LateralTarget& target,
+double excessBeside(const BlendTask& task, const SurfaceJets& sheet, const LateralTarget& target,
                     double v) {
   const BlendLateral& lateral = target.lateral();
-  const SurfaceJet there = jet(sheet, parameterOf(lateral.side), v);
+  const SurfaceJet there = sheet.at(parameterOf(lateral.side), v, 2);
   double excess = (there.p - target.at(v)).norm() / task.tolerance.gap_mm;
   if (!lateral.normal) return excess;
   const Vector3d normal = there.u.cross(there.v), wanted = lateral.normal(lateral.pace.shareAt(v));
@@ -130,7 +136,8 @@ std::vector<PoorSpanAcross> poorSpansAcross(const BlendTask& task, const BSpline
   constexpr double shortest = 1.0 / 4096;  // a choice: beyond it only kinks are left
   std::vector<PoorSpanAcross> result;
   std::vector<LateralTarget> targets;
-  for (const BlendLateral& lateral : task.laterals) targets.emplace_back(lateral, sheet);
+  const SurfaceJets jets(sheet);
+  for (const BlendLateral& lateral : task.laterals) targets.emplace_back(lateral, jets);
   const std::map<double, int>& at = knots.multiplicities();
   for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
     PoorSpanAcross span{from->first, to->first};
@@ -138,7 +145,7 @@ std::vector<PoorSpanAcross> poorSpansAcross(const BlendTask& task, const BSpline
     for (const double sample : samples)
       for (const LateralTarget& target : targets) {
         const double v = span.from + sample * (span.to - span.from);
-        span.excess = std::max(span.excess, excessBeside(task, sheet, target, v));
+        span.excess = std::max(span.excess, excessBeside(task, jets, target, v));
       }
     if (span.excess > share_of_tolerance) result.push_back(span);
   }
@@ -183,10 +190,11 @@ BSplineSurface fittedToLaterals(const BlendTask& task, const BSplineSurface& she
 
 double farthestFromCurve_mm(const BlendLateral& lateral, const BSplineSurface& sheet) {
   constexpr int samples = 512;
+  const SurfaceJets jets(sheet);
   double largest = 0;
   for (int i = 0; i <= samples; ++i) {
     const double v = static_cast<double>(i) / samples;
-    const Vector3d made = jet(sheet, parameterOf(lateral.side), v).p;
+    const Vector3d made = jets.at(parameterOf(lateral.side), v, 0).p;
     largest = std::max(largest, (made - lateral.curve->at(lateral.pace.shareAt(v))).norm());
   }
   return largest;

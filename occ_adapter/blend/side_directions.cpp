@@ -70,20 +70,28 @@ Vector3d turnAt(const SideSample& sample, const std::optional<Vector3d>& lateral
 
 /// The Bernstein polynomial with the values at equal shares.
 Vector3d bernsteinMean(const Eigen::MatrixXd& values, double share) {
-  Eigen::MatrixXd points = values;
-  for (Eigen::Index left = points.rows() - 1; left > 0; --left)
-    points.topRows(left) =
-        ((1 - share) * points.topRows(left) + share * points.middleRows(1, left)).eval();
-  return points.row(0);
+  const auto degree = static_cast<int>(values.rows()) - 1;
+  // From the end where the polynomials are larger: 2^-256 is a normal number.
+  const bool from_begin = share <= 0.5;
+  const double by = from_begin ? share : 1 - share, ratio = by / (1 - by);
+  double polynomial = std::pow(1 - by, degree);
+  Vector3d sum = Vector3d::Zero();
+  for (int i = 0; i <= degree; ++i) {
+    sum += polynomial * values.row(from_begin ? i : degree - i).transpose();
+    polynomial *= ratio * (degree - i) / (i + 1);
+  }
+  return sum;
 }
 
-/// The mean with the kernel cos^n of de la Vallée-Poussin, n the number of values, which is even.
+/// The mean with the kernel cos^n of de la Vallée-Poussin, n the number of values, a power of 2.
 Vector3d periodicMean(const Eigen::MatrixXd& values, double share) {
   Vector3d sum = Vector3d::Zero();
-  const auto count = static_cast<double>(values.rows());
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    const double angle = std::numbers::pi * (share - static_cast<double>(i) / count);
-    sum += std::pow(std::cos(angle) * std::cos(angle), count / 2) * values.row(i).transpose();
+  const Eigen::Index count = values.rows();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    double kernel =
+        std::cos(std::numbers::pi * (share - static_cast<double>(i) / static_cast<double>(count)));
+    for (Eigen::Index power = 1; power < count; power *= 2) kernel *= kernel;
+    sum += kernel * values.row(i).transpose();
   }
   return sum;
 }

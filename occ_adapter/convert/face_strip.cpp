@@ -176,7 +176,11 @@ FaceStrip::Place FaceStrip::placeAt(double t) const {
   for (int step = 0; step <= steps; ++step) {
     surface_.D2(place.uv.X(), place.uv.Y(), p, u, v, uu, vv, uv);
     const gp_Vec off(p, on_curve);
-    const double a = u * u - off * uu, b = u * v - off * uv, c = v * v - off * vv;
+    // The first step does without second derivatives: the pcurve may cross two knot lines that
+    // nearly coincide, and between these they are of any size.
+    const double bend = step == 0 ? 0 : 1;
+    const double a = u * u - bend * (off * uu), b = u * v - bend * (off * uv),
+                 c = v * v - bend * (off * vv);
     const double determinant = a * c - b * b;
     if (!(determinant > 0)) break;  // a pole: the pcurve has to do
     const auto solved = [&](const gp_Vec& of) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 
+#include <seamwright/core/seam/piecewise_map.hpp>
 #include <seamwright/occ_adapter/convert/nearest.hpp>
 #include <seamwright/occ_adapter/convert/seam_strips.hpp>
 
@@ -8,16 +9,12 @@ namespace seamwright::occ {
 
 namespace {
 
-/// y at x, linear between the points; x increases or decreases.
-double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
-  const bool rises = xs.back() >= xs.front();
-  const auto right = std::lower_bound(xs.begin() + 1, xs.end() - 1, x, [&](double knot, double at) {
-    return rises ? knot < at : knot > at;
-  });
-  const std::ptrdiff_t i = right - xs.begin();
-  const double width = xs[i] - xs[i - 1];
-  const double share = width == 0 ? 0 : (x - xs[i - 1]) / width;
-  return ys[i - 1] + share * (ys[i] - ys[i - 1]);
+PiecewiseMap firstOf(const Correspondence& map) {
+  return {map.s, map.a};
+}
+
+PiecewiseMap secondOf(const Correspondence& map) {
+  return {map.s, map.b};
 }
 
 bool isWithin(const std::vector<double>& parameters, double parameter) {
@@ -26,19 +23,19 @@ bool isWithin(const std::vector<double>& parameters, double parameter) {
 }
 
 /// The parameters of an edge as values of s, as far as they are on the seam.
-void addMapped(const std::vector<double>& breaks, const Correspondence& map,
-               const std::vector<double>& parameters, std::vector<double>& to) {
+void addMapped(const std::vector<double>& breaks, const PiecewiseMap& map,
+               std::vector<double>& to) {
   for (const double parameter : breaks)
-    if (parameters.empty())
+    if (map.x.empty())
       to.push_back(parameter);
-    else if (isWithin(parameters, parameter))
-      to.push_back(interpolate(parameters, map.s, parameter));
+    else if (isWithin(map.y, parameter))
+      to.push_back(map.backAt(parameter));
 }
 
 }  // namespace
 
 double parameterOnFirst(const Correspondence& correspondence, double s) {
-  return correspondence.s.empty() ? s : interpolate(correspondence.s, correspondence.a, s);
+  return correspondence.s.empty() ? s : firstOf(correspondence).valueAt(s);
 }
 
 SeamStrips::SeamStrips(const Seam& seam, const std::array<Pcurve, 2>& pcurves, JetOrder order)
@@ -48,12 +45,12 @@ SeamStrips::SeamStrips(const Seam& seam, const std::array<Pcurve, 2>& pcurves, J
 
 double SeamStrips::parameterOnB(double s, const Eigen::Vector3d& on_a) const {
   const auto [low, high] = std::minmax(map_.b.front(), map_.b.back());
-  return nearestParameter(b_, on_a, interpolate(map_.s, map_.b, s), low, high);
+  return nearestParameter(b_, on_a, secondOf(map_).valueAt(s), low, high);
 }
 
 PairMeasure SeamStrips::measureAt(double s) const {
   if (map_.s.empty()) return measurePair(a_.at(s), b_.at(s));
-  const SidePoint a = a_.at(interpolate(map_.s, map_.a, s));
+  const SidePoint a = a_.at(firstOf(map_).valueAt(s));
   SidePoint b = b_.at(parameterOnB(s, a.jet.p));
   if (map_.b.back() < map_.b.front()) {
     b.tangent = -b.tangent;
@@ -64,8 +61,8 @@ PairMeasure SeamStrips::measureAt(double s) const {
 
 std::vector<double> SeamStrips::breaks() const {
   std::vector<double> breaks;
-  addMapped(a_.breaks(), map_, map_.a, breaks);
-  addMapped(b_.breaks(), map_, map_.b, breaks);
+  addMapped(a_.breaks(), firstOf(map_), breaks);
+  addMapped(b_.breaks(), secondOf(map_), breaks);
   std::ranges::sort(breaks);
   // A knot of each side at the same point of a shared edge differs by the rounding of both paths.
   constexpr double apart = 1e-9;

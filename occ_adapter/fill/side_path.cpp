@@ -50,52 +50,16 @@ std::shared_ptr<const FaceStrip> smootherStrip(const std::shared_ptr<const FaceS
 
 }  // namespace
 
-ArcLength::ArcLength(std::function<double(double)> speed_mm) : speed_mm_(std::move(speed_mm)) {
-  for (int k = 0; k < pieces; ++k) lengths_[k + 1] = lengths_[k] + between(at(k), at(k + 1));
-}
-
-double ArcLength::lengthTo(double parameter) const {
-  const int k = std::clamp(static_cast<int>(parameter * pieces), 0, pieces - 1);
-  return lengths_[k] + between(at(k), parameter);
-}
-
-double ArcLength::parameterAt(double length_mm) const {
-  const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length_mm);
-  const int k = static_cast<int>(after - lengths_.begin()) - 1;
-  const double rest = length_mm - lengths_[k];
-  double parameter = at(k) + rest / (lengths_[k + 1] - lengths_[k]) / pieces;
-  // Newton's method ends at this share of the length, near rounding.
-  constexpr double rounding = 1e-14;
-  for (int step = 0; step < 4; ++step) {
-    const double beyond_mm = between(at(k), parameter) - rest;
-    if (std::abs(beyond_mm) <= rounding * this->length_mm()) break;
-    parameter -= beyond_mm / speed_mm_(std::clamp(parameter, 0.0, 1.0));
-  }
-  return std::clamp(parameter, 0.0, 1.0);
-}
-
-double ArcLength::between(double from, double to) const {
-  // Gauss-Legendre nodes and weights of five points on [-1, 1]; the others follow by symmetry.
-  constexpr std::array<double, 3> nodes = {0, 0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 3> weights = {0.5688888888888889, 0.4786286704993665,
-                                             0.2369268850561891};
-  const double middle = (from + to) / 2, half = (to - from) / 2;
-  double sum = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (const double node : {-nodes[i], nodes[i]})
-      sum +=
-          (i == 0 ? 0.5 : 1) * weights[i] * speed_mm_(std::clamp(middle + half * node, 0.0, 1.0));
-  return half * sum;
-}
-
 SidePath::SidePath(const HoleSide& side, double gap_mm, JetOrder order, PathAlong along) {
   for (const HoleEdge& edge : side.edges) {
     const Pcurve pcurve = pcurveOf(edge.use.edge, edge.use.shape, gap_mm);
     auto strip = std::make_shared<const FaceStrip>(edge.use, pcurve, order);
     strips_.push_back(along == PathAlong::Smoother ? smootherStrip(strip, edge.use, pcurve)
                                                    : strip);
+    breaks_.push_back(strips_.back()->breaks());
     lengths_.emplace_back(
-        [strip = strips_.back()](double parameter) { return strip->trace(parameter).d.norm(); });
+        [&](double parameter) { return strips_.back()->trace(parameter).d.norm(); },
+        breaks_.back());
     reversed_.push_back(edge.reversed);
     numbers_.push_back(edge.edge);
     begins_mm_.push_back(length_mm_);
@@ -114,7 +78,7 @@ std::vector<double> SidePath::joints() const {
 std::vector<double> SidePath::breaks() const {
   std::vector<double> shares;
   for (std::size_t k = 0; k < strips_.size(); ++k)
-    for (const double parameter : strips_[k]->breaks()) {
+    for (const double parameter : breaks_[k]) {
       const double to_mm = lengths_[k].lengthTo(parameter);
       const double along_mm = reversed_[k] ? lengths_[k].length_mm() - to_mm : to_mm;
       shares.push_back((begins_mm_[k] + along_mm) / length_mm_);
@@ -140,35 +104,38 @@ SidePath::Place SidePath::placeOf(double share, bool after) const {
 }
 
 SideSample SidePath::atShare(double share, bool after) const {
-  SideSample result = sample(placeOf(share, after));
-  result.derivative = length_mm_ * result.derivative.normalized();
-  return result;
+  const Place place = placeOf(share, after);
+  return byShare(sampleOf(place, pointAt(place)));
+}
+
+SideSample SidePath::byShare(SideSample sample) const {
+  sample.derivative = length_mm_ * sample.derivative.normalized();
+  return sample;
 }
 
 bool SidePath::hasTangentPlane(double share) const {
-  const Place place = placeOf(share, true);
-  const SidePoint there = strips_[place.edge]->at(place.parameter);
+  const SidePoint there = pointAt(placeOf(share, true));
   return degeneracy(there.jet, there.noise) == Degeneracy::None;
 }
 
 SideSample SidePath::besidePoleAtShare(double share, bool after) const {
   Place place = placeOf(share, after);
-  const FaceStrip& strip = *strips_[place.edge];
-  const SidePoint there = strip.at(place.parameter);
-  if (degeneracy(there.jet, there.noise) == Degeneracy::None) return atShare(share, after);
+  const SidePoint there = pointAt(place);
+  if (degeneracy(there.jet, there.noise) == Degeneracy::None)
+    return byShare(sampleOf(place, there));
   const int end = place.parameter < 0.5 ? 0 : 1;
   // Rounding turns the normal by as much as the reach is of the distance; less than an angle that
   // anyone measures. The bounds are far below a span, and far above rounding of parameters.
-  const double distance = std::clamp(1e4 * strip.poleReach(end), 1e-6, 1e-3);
+  const double distance = std::clamp(1e4 * strips_[place.edge]->poleReach(end), 1e-6, 1e-3);
   place.parameter = end == 0 ? distance : 1 - distance;
-  SideSample result = sample(place);
+  SideSample result = byShare(sampleOf(place, pointAt(place)));
   result.point = there.jet.p;
-  result.derivative = length_mm_ * result.derivative.normalized();
   return result;
 }
 
 SideSample SidePath::atParameter(double parameter) const {
-  return sample({0, reversed_[0] ? 1 - parameter : parameter});
+  const Place place{0, reversed_[0] ? 1 - parameter : parameter};
+  return sampleOf(place, pointAt(place));
 }
 
 double SidePath::parameterOf(double share) const {
@@ -182,12 +149,11 @@ double SidePath::shareOf(double parameter) const {
                       : lengths_[0].lengthTo(parameter) / length_mm_;
 }
 
-SideSample SidePath::sample(const Place& place) const {
-  const std::size_t k = place.edge;
-  const SidePoint side = strips_[k]->at(place.parameter);
-  const Vector3d normal = side.jet.u.cross(side.jet.v).normalized();
-  const Vector3d beyond = (side.face_on_left ? 1 : -1) * normal.cross(side.tangent).normalized();
-  return {0, side.jet.p, (reversed_[k] ? -1 : 1) * side.tangent, normal, beyond, side.jet};
+SideSample SidePath::sampleOf(const Place& place, const SidePoint& point) const {
+  const Vector3d normal = point.jet.u.cross(point.jet.v).normalized();
+  const Vector3d beyond = (point.face_on_left ? 1 : -1) * normal.cross(point.tangent).normalized();
+  const double sense = reversed_[place.edge] ? -1 : 1;
+  return {0, point.jet.p, sense * point.tangent, normal, beyond, point.jet};
 }
 
 }  // namespace seamwright::occ

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
+#include <seamwright/core/differential/path_length.hpp>
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
 
@@ -19,25 +18,6 @@ struct SideSample {
   Eigen::Vector3d point, derivative;
   Eigen::Vector3d normal, beyond;  ///< unit vectors; beyond points across the edge into the face
   SurfaceJet jet;                  ///< of the face
-};
-
-/// The arc length of a path as a function of its parameter, by Gauss quadrature on short pieces.
-class ArcLength {
- public:
-  /// \param speed_mm the length of the derivative at a parameter in [0, 1].
-  explicit ArcLength(std::function<double(double)> speed_mm);
-  double length_mm() const { return lengths_[pieces]; }
-  double lengthTo(double parameter) const;
-  double parameterAt(double length_mm) const;
-
- private:
-  /// A choice: with five nodes in each, a smooth path gets more digits than lengths need.
-  static constexpr int pieces = 32;
-  static double at(int k) { return static_cast<double>(k) / pieces; }
-  double between(double from, double to) const;
-
-  std::function<double(double)> speed_mm_;
-  std::array<double, pieces + 1> lengths_{};
 };
 
 /// How a path runs along an edge.
@@ -87,10 +67,13 @@ class SidePath {
 
   std::size_t edgeIndex(double share, bool after) const;
   Place placeOf(double share, bool after) const;
-  SideSample sample(const Place& place) const;
+  SidePoint pointAt(const Place& place) const { return strips_[place.edge]->at(place.parameter); }
+  SideSample sampleOf(const Place& place, const SidePoint& point) const;
+  SideSample byShare(SideSample sample) const;
 
   std::vector<std::shared_ptr<const FaceStrip>> strips_;
-  std::vector<ArcLength> lengths_;
+  std::vector<std::vector<double>> breaks_;  ///< parameters of each strip
+  std::vector<PathLength> lengths_;
   std::vector<double> begins_mm_;
   std::vector<bool> reversed_;
   std::vector<int> numbers_;

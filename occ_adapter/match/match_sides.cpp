@@ -4,7 +4,6 @@
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -36,9 +35,7 @@ struct FoundSide {
 class EdgeLengths {
  public:
   EdgeLengths(const Coedge& use, double gap_mm)
-      : arc_(
-            [strip = std::make_shared<const FaceStrip>(use, pcurveOf(use.edge, use.shape, gap_mm))](
-                double parameter) { return strip->trace(parameter).d.norm(); }) {}
+      : EdgeLengths(FaceStrip(use, pcurveOf(use.edge, use.shape, gap_mm))) {}
 
   double length_mm() const { return arc_.length_mm(); }
   double parameterAt(double length_mm) const {
@@ -49,7 +46,10 @@ class EdgeLengths {
   }
 
  private:
-  ArcLength arc_;
+  explicit EdgeLengths(const FaceStrip& strip)
+      : arc_([&](double parameter) { return strip.trace(parameter).d.norm(); }, strip.breaks()) {}
+
+  PathLength arc_;
 };
 
 class SideFinder {

@@ -5,11 +5,13 @@
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
 
+#include <seamwright/core/seam/piecewise_map.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/seams/close_pieces.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
@@ -59,8 +61,14 @@ class Refinement {
   /// Adds feet until interpolation between them is good. \returns the largest error along b that
   /// was left, in mm, 0 if none.
   double refine(std::vector<Foot>& feet) const;
+  /// Feet at the ends and the thirds of few pieces on which cubics through them are good.
+  /// \returns as refine().
+  double cubics(const std::vector<Foot>& feet, std::vector<Foot>& made) const;
 
  private:
+  Foot nearFoot(const std::vector<Foot>& feet, double parameter) const;
+  std::optional<double> cubicExcess_mm(const std::vector<Foot>& feet,
+                                       const std::array<Foot, 4>& piece) const;
   void keepNeeded(const std::vector<Foot>& feet, std::size_t first, std::size_t last,
                   std::vector<Foot>& kept) const;
   double alongB_mm(double b, double other) const {
@@ -178,14 +186,72 @@ double Refinement::refine(std::vector<Foot>& feet) const {
   return left_mm;
 }
 
-/// s proportional to the arc length of a at the feet.
-Correspondence correspondenceOf(const std::vector<Foot>& feet, const EdgePath& a) {
+/// The foot at a parameter of the first edge, near the polyline through feet.
+Foot Refinement::nearFoot(const std::vector<Foot>& feet, double parameter) const {
+  const auto right = std::ranges::lower_bound(feet.begin() + 1, feet.end() - 1, parameter, {},
+                                              [](const Foot& foot) { return foot.a; });
+  const Foot& left = *std::prev(right);
+  return within(left, *right, (parameter - left.a) / (right->a - left.a));
+}
+
+/// How far the cubic is off along b in mm, if that is too far or it turns back; else nothing.
+std::optional<double> Refinement::cubicExcess_mm(const std::vector<Foot>& feet,
+                                                 const std::array<Foot, 4>& piece) const {
+  const Foot &left = piece[0], &right = piece[3];
+  const std::vector<double> a = {left.a, right.a}, b = {left.b, piece[1].b, piece[2].b, right.b};
+  const PiecewiseMap cubic{a, b};
+  double largest = 0;
+  bool good = true;
+  for (const double share : {1.0 / 6, 0.5, 5.0 / 6}) {
+    const Foot foot = nearFoot(feet, left.a + share * (right.a - left.a));
+    const double off_mm = alongB_mm(cubic.valueIn(0, share), foot.b);
+    largest = std::max(largest, off_mm);
+    good = good && off_mm <= allowed_mm(foot);
+  }
+  constexpr int steps = 12;
+  for (int i = 0; i < steps; ++i)
+    good = good && (cubic.valueIn(0, (i + 1.0) / steps) > cubic.valueIn(0, 1.0 * i / steps)) ==
+                       (right.b > left.b);
+  return good ? std::nullopt : std::optional(largest);
+}
+
+double Refinement::cubics(const std::vector<Foot>& feet, std::vector<Foot>& made) const {
+  constexpr double shortest = 1e-5;  // of the range: there a path turns back on itself
+  made = {feet.front()};
+  std::vector<Foot> ends = {feet.back()};  // of pieces that are to come, the next one last
+  double left_mm = 0;
+  while (!ends.empty()) {
+    const Foot left = made.back(), right = ends.back();
+    const double third = (right.a - left.a) / 3;
+    std::array<Foot, 4> piece = {left, nearFoot(feet, left.a + third),
+                                 nearFoot(feet, right.a - third), right};
+    const std::optional<double> excess = cubicExcess_mm(feet, piece);
+    const bool may_split =
+        made.size() / 3 + ends.size() <= static_cast<std::size_t>(options_.most_pieces);
+    if (excess && may_split && right.a - left.a > shortest) {
+      ends.push_back(nearFoot(feet, 0.5 * (left.a + right.a)));
+      continue;
+    }
+    if (excess) {
+      left_mm = std::max(left_mm, *excess);
+      for (const int i : {1, 2}) piece[i].b = left.b + i * (right.b - left.b) / 3;
+    }
+    made.insert(made.end(), piece.begin() + 1, piece.end());
+    ends.pop_back();
+  }
+  return left_mm;
+}
+
+/// s proportional to the arc length of a at the feet, of which each piece has so many.
+Correspondence correspondenceOf(const std::vector<Foot>& feet, std::size_t of_piece,
+                                const EdgePath& a) {
   Correspondence map;
-  for (const Foot& foot : feet) {
-    const double step = map.a.empty() ? 0 : a.lengthBetween_mm(map.a.back(), foot.a);
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    map.b.push_back(feet[i].b);
+    if (i % of_piece != 0) continue;
+    const double step = map.a.empty() ? 0 : a.lengthBetween_mm(map.a.back(), feet[i].a);
     map.s.push_back(map.s.empty() ? 0 : map.s.back() + step);
-    map.a.push_back(foot.a);
-    map.b.push_back(foot.b);
+    map.a.push_back(feet[i].a);
   }
   const double length = map.s.back();
   for (double& s : map.s) s /= length;
@@ -271,18 +337,25 @@ void Matcher::addSeam(EdgeInterval& interval) {
   for (Foot* end : {&interval.feet.front(), &interval.feet.back()})
     *end = footFrom(a, b, end->a, end->b, end->against);
   const Refinement refinement(a, b, options_);
-  interval.feet = refinement.thinned(interval.feet);
-  const double left_mm = refinement.refine(interval.feet);
+  double left_mm = 0;
+  if (options_.cubic) {
+    std::vector<Foot> made;
+    left_mm = refinement.cubics(interval.feet, made);
+    interval.feet = std::move(made);
+  } else {
+    interval.feet = refinement.thinned(interval.feet);
+    left_mm = refinement.refine(interval.feet);
+  }
   Seam seam;
   seam.id = static_cast<int>(graph_.seams.size()) + 1;
   seam.kind = SeamKind::Matched;
   seam.edges = {a.edge(), b.edge()};
   seam.sides = {a.use(), b.use()};
-  seam.correspondence = correspondenceOf(interval.feet, a);
+  seam.correspondence = correspondenceOf(interval.feet, options_.cubic ? 3 : 1, a);
   if (left_mm > 0)
     seam.note = fmt::format(
         "after {} pieces the points of the two edges still correspond only to {:.6g} mm",
-        interval.feet.size() - 1, left_mm);
+        seam.correspondence.s.size() - 1, left_mm);
   graph_.seams.push_back(std::move(seam));
 }
 

@@ -144,6 +144,29 @@ TEST(EncloseSeam, TheGapOutsideTheRangeSeesAllOfThePath) {
   }
 }
 
+TEST(EncloseSeam, CubicParametersAreThoseOfManyShortLines) {
+  // The plane against itself: the gap is that of the parameters, and largest between the knots.
+  const auto cubic = [](double q) { return q + 0.4 * q * (1 - q) * (0.8 - q); };
+  SeamSide bent = planeSide(0, true), lines = bent;
+  bent.s = {0, 0.25, 1};
+  bent.t = {0, cubic(0.25 / 3), cubic(0.5 / 3), cubic(0.25), cubic(0.5), cubic(0.75), 1};
+  lines.s = lines.t = {0};
+  constexpr int count = 400;
+  for (int i = 1; i <= count; ++i) {
+    lines.s.push_back(static_cast<double>(i) / count);
+    lines.t.push_back(cubic(lines.s.back()));
+  }
+  const SeamFigures by_cubics = encloseSeam(bent, planeSide(0, false), {}),
+                    by_lines = encloseSeam(lines, planeSide(0, false), {});
+  ASSERT_TRUE(by_cubics.gap_mm->upper && by_lines.gap_mm->upper);
+  double truth = 0;
+  for (int i = 0; i <= 10'000; ++i) truth = std::max(truth, std::abs(cubic(i / 1e4) - i / 1e4));
+  EXPECT_GE(*by_cubics.gap_mm->upper, truth);
+  EXPECT_LE(by_cubics.gap_mm->lower, truth * (1 + 1e-9));
+  EXPECT_LE(*by_cubics.gap_mm->upper, truth * 1.02);
+  EXPECT_NEAR(by_lines.gap_mm->lower, truth, 0.01 * truth);
+}
+
 // --- limits of the verdict
 
 /// The plane z = 0 turned about y by the angle with this cosine and sine.

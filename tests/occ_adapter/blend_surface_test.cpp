@@ -389,6 +389,35 @@ TEST(BlendSurface, TheEndRunsWhereTheSurfaceIsLessTwisted) {
   EXPECT_TRUE(isCrossed(blendSurface(model, left, right, options)));
 }
 
+TEST(BlendSurface, OneThatRunsThroughItselfIsNotReached) {
+  const auto pipe = [](const gp_Pnt& from, const gp_Dir& along) {
+    return BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(from, along), 5), 0,
+                                   2 * std::numbers::pi, 0, 20, 1e-7)
+        .Face();
+  };
+  // Both begin at the plane x = 0 and go away from it; the second one is turned.
+  const TopoDS_Shape model =
+      loose(pipe(gp_Pnt(0, 0, 0), -gp::DX()), pipe(gp_Pnt(30, 4, 0), gp_Dir(1, 0.2, 0.1)));
+  const auto rim = [&](const gp_Pnt& center) {
+    const TopTools_IndexedMapOfShape edges = partsOf(model, TopAbs_EDGE);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      const BRepAdaptor_Curve curve(TopoDS::Edge(edges(i)));
+      if (curve.GetType() == GeomAbs_Circle && curve.Circle().Location().Distance(center) < 1e-6)
+        return i;
+    }
+    return 0;
+  };
+  const BlendEnd start{.side = {{rim(gp_Pnt(0, 0, 0))}}}, end{.side = {{rim(gp_Pnt(30, 4, 0))}}};
+  BlendSurfaceOptions options;
+  const BlendSurfaceReport plain = blendSurface(model, start, end, options);
+  EXPECT_TRUE(plain.reached);
+  EXPECT_EQ(plain.ends[1].reason, "");
+  options.flip = true;
+  const BlendSurfaceReport flipped = blendSurface(model, start, end, options);
+  EXPECT_FALSE(flipped.reached);
+  EXPECT_THAT(flipped.ends[1].reason, HasSubstr("the surface runs through itself"));
+}
+
 TEST(BlendSurface, ASideThatNoSeamCoversHasAReason) {
   BlendSurfaceOptions coarse = fine();
   coarse.tolerance.gap_mm = 1e-9;
