@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <set>
+#include <limits>
 
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
 #include <seamwright/occ_adapter/match/face_deformation.hpp>
+#include <seamwright/occ_adapter/match/kept_edges.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/pole_moves.hpp>
 #include <seamwright/occ_adapter/match/zone.hpp>
@@ -150,48 +152,47 @@ std::vector<Place> placesOn(const MoverPiece& piece, const Geom_BSplineSurface& 
   return places;
 }
 
+/// Whether the face does not cross the knot line, so that nothing there is seen.
+bool isBeyond(const ClosingPoints& points, const Zone& zone) {
+  const int direction = points.direction;
+  const bool is_periodic =
+      direction == 0 ? zone.surface->IsUPeriodic() : zone.surface->IsVPeriodic();
+  if (is_periodic || points.uv != points.other_uv) return false;
+  const double low = zone.low[direction], high = zone.high[direction],
+               near = Precision::PConfusion() * (high - low), at = points.uv[direction];
+  return at <= low + near || at >= high - near;
+}
+
 /// Makes the change of one face.
 class Deformer {
  public:
   Deformer(const SideJoin& join, const Mover& mover, const SeamGraph& graph)
       : join_(join), mover_(mover), graph_(graph) {}
 
-  FaceDeformation made(const std::optional<double>& depth_mm) const {
+  FaceDeformation made(const Reachable& reachable) const {
     // Errors fall by a power of the length of a span: what 32 parts do not reach is a
     // contradiction.
     constexpr int most_refinements = 5;
-    // The other face of an averaged seam adds its own error.
-    const double limit = join_.options.average ? 0.25 : 0.5;
     ZoneMaker maker(mover_.face, mover_.spline, zoneSides(),
-                    {largestOrder(), join_.options.tolerance.gap_mm, depth_mm});
+                    {largestOrder(), join_.options.tolerance.gap_mm, reachable.depth_mm});
+    KeptEdges kept;
+    if (join_.options.hold == HeldEdges::None) kept = keptEdges(join_, mover_, graph_);
     FaceDeformation made;
-    double worst = 0;
     for (int refined = 0; refined <= most_refinements; ++refined) {
       const Zone zone = maker.zone();
       if (zone.poles.empty()) {
         made.failure = match_why::depthTooSmall(nameOf(join_, mover_.number),
-                                                depth_mm.value_or(zone.depth_mm));
+                                                reachable.depth_mm.value_or(zone.depth_mm));
         return made;
       }
-      std::vector<Place> places;
-      for (const MoverPiece& piece : mover_.pieces)
-        for (Place& place : placesOn(piece, *zone.surface, join_.options.average))
-          places.push_back(std::move(place));
-      const std::size_t own = places.size();
-      addHeld(*zone.surface, places);
-      std::vector<Station> stations = stationsOf(places, *zone.surface);
-      const PoleMoves moved =
-          movedPoles(zone, stations, closingPoints(*zone.surface, std::max(1, largestOrder())));
-      made.after = moved.after;
-      made.move_mm = moved.largest_mm;
-      made.depth_mm = zone.depth_mm;
-      stations.resize(own);
-      const std::vector<Eigen::Vector2d> missed = missedBy(*moved.after, stations, limit, worst);
+      const std::vector<Eigen::Vector2d> missed =
+          solve(zone, most_refinements - refined, reachable.stray_mm, kept, made);
+      made.keeps_edges = kept.weight > 0;
       if (missed.empty()) return made;
       if (refined == most_refinements || !maker.refine(missed)) break;
     }
     // Between the limit and the tolerance the proof decides.
-    if (worst > 1) made.failure = match_why::missesTolerance(most_refinements, worst);
+    if (made.worst > 1) made.failure = match_why::missesTolerance(most_refinements, made.worst);
     return made;
   }
 
@@ -213,42 +214,64 @@ class Deformer {
     return sides;
   }
 
-  std::vector<Eigen::Vector2d> missedBy(const Geom_BSplineSurface& after,
-                                        const std::vector<Station>& stations, double limit,
-                                        double& worst) const {
-    const SurfaceBasis basis(after);
-    const PointRows poles = polesOf(after);
-    std::vector<Eigen::Vector2d> missed;
-    worst = 0;
-    for (const Station& station : stations) {
-      const SurfaceJet jet = jetOf(basis.at(station.uv, station.step), poles);
-      const double share = shareOf(jet, station.target, station.order, join_.options.tolerance);
-      worst = std::max(worst, share);
-      if (share > limit) missed.push_back(station.uv);
+  /// Moves the poles of the zone. Kept edges weigh more until they stray no further than allowed.
+  /// \returns where more knots are needed.
+  std::vector<Eigen::Vector2d> solve(const Zone& zone, int refinements_left, double stray_mm,
+                                     KeptEdges& kept, FaceDeformation& made) const {
+    // The other face of an averaged seam adds its own error.
+    const double limit = join_.options.average ? 0.25 : 0.5;
+    const bool is_last = refinements_left == 0;
+    const Nearness nearness{.limit = limit, .most_growth = is_last ? 30.0 : 3.0};
+    constexpr double first_weight = 100, growth = 10, most_weight = 1e8;
+    std::vector<Place> places;
+    for (const MoverPiece& piece : mover_.pieces)
+      for (Place& place : placesOn(piece, *zone.surface, join_.options.average))
+        places.push_back(std::move(place));
+    const std::size_t own = places.size();
+    addHeld(*zone.surface, places);
+    const std::vector<Station> stations = stationsOf(places, *zone.surface);
+    std::vector<ClosingPoints> closing = closingPoints(*zone.surface, std::max(1, largestOrder()));
+    std::erase_if(closing, [&zone](const ClosingPoints& points) { return isBeyond(points, zone); });
+    const SurfaceBasis basis(*zone.surface);
+    std::vector<double> shares;
+    const auto worstOf = [&](const PointRows& poles) {
+      shares = sharesOf(basis, poles, stations, own);
+      return *std::ranges::max_element(shares);
+    };
+    kept.size_mm = zone.depth_mm;
+    made.depth_mm = zone.depth_mm;
+    made.worst = std::numeric_limits<double>::infinity();
+    for (bool is_first = true;; is_first = false) {
+      const PoleMoves moved = movedPoles(zone, stations, closing, kept, worstOf, nearness);
+      const double now = worstOf(polesOf(*moved.after)),
+                   now_mm = strayOf_mm(kept, *zone.surface, *moved.after);
+      // What edges keep must not cost the join, unless more knots may give both.
+      const bool conflicts = !is_first && now > limit && now > made.worst;
+      if (conflicts && is_last) break;
+      made.after = moved.after;
+      made.move_mm = moved.largest_mm;
+      made.worst = now;
+      const bool is_met = now <= limit || is_last;
+      if (conflicts || !is_met || now_mm <= stray_mm || kept.weight >= most_weight) break;
+      kept.weight = std::max(first_weight, kept.weight * std::max(growth, now_mm / stray_mm));
     }
+    worstOf(polesOf(*made.after));
+    std::vector<Eigen::Vector2d> missed;
+    for (std::size_t i = 0; i < own; ++i)
+      if (shares[i] > limit) missed.push_back(stations[i].uv);
     return missed;
   }
 
-  bool isMatched(int edge) const {
-    return std::ranges::any_of(join_.pieces, [&](const SidePiece& piece) {
-      return std::ranges::count(piece.seam.edges, edge) > 0;
-    });
-  }
-
-  /// The coedges of the face that are not matched.
-  std::vector<Coedge> otherEdges() const {
-    std::vector<Coedge> others;
-    std::set<int> seen;
-    const auto add = [&](int edge, const Coedge& use) {
-      if (use.face == mover_.number && !isMatched(edge) && seen.insert(edge).second)
-        others.push_back(use);
-    };
-    for (const Seam& seam : graph_.seams)
-      if (seam.kind == SeamKind::Shared)
-        for (const Coedge& use : seam.sides) add(seam.edges[0], use);
-    for (std::size_t i = 0; i < graph_.open_uses.size(); ++i)
-      add(graph_.open[i].edge, graph_.open_uses[i]);
-    return others;
+  /// The largest figure of each of the first stations as a share of its tolerance.
+  std::vector<double> sharesOf(const SurfaceBasis& basis, const PointRows& poles,
+                               const std::vector<Station>& stations, std::size_t count) const {
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Station& station = stations[i];
+      const SurfaceJet jet = jetOf(basis.at(station.uv, station.step), poles);
+      shares.push_back(shareOf(jet, station.target, station.order, join_.options.tolerance));
+    }
+    return shares;
   }
 
   void addHeld(const Geom_BSplineSurface& surface, std::vector<Place>& places) const {
@@ -256,7 +279,7 @@ class Deformer {
     const int order = join_.options.hold == HeldEdges::Tangent ? 1 : 0;
     // Several in each span of a path that crosses all of them.
     const int points = std::clamp(4 * (surface.NbUKnots() + surface.NbVKnots()), 32, 400);
-    for (const Coedge& use : otherEdges()) {
+    for (const Coedge& use : otherEdges(join_, mover_, graph_)) {
       const FaceStrip strip(use, pcurveOf(use.edge, use.shape, join_.options.tolerance.gap_mm));
       const auto uvAt = [&](double s) {
         const gp_Pnt2d uv = strip.parametersAt(s);
@@ -282,8 +305,8 @@ class Deformer {
 }  // namespace
 
 FaceDeformation deformedFace(const SideJoin& join, const Mover& mover, const SeamGraph& graph,
-                             const std::optional<double>& depth_mm) {
-  return Deformer(join, mover, graph).made(depth_mm);
+                             const Reachable& reachable) {
+  return Deformer(join, mover, graph).made(reachable);
 }
 
 }  // namespace seamwright::occ

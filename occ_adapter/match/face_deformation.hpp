@@ -42,12 +42,20 @@ struct FaceDeformation {
   MatchReason failure;  ///< empty: its points are nearer to their targets than the tolerances
   opencascade::handle<Geom_BSplineSurface> after;
   double move_mm = 0, depth_mm = 0;
+  double worst = 0;          ///< of a figure, as a share of its tolerance
+  bool keeps_edges = false;  ///< other edges would move too far by themselves
+};
+
+/// How far a change may reach.
+struct Reachable {
+  std::optional<double> depth_mm;  ///< see ZoneOptions
+  double stray_mm = 0;             ///< other edges that the face shares move less if they can
 };
 
 /// Moves the poles near the pieces of the mover with the least bending of their moves, in spans
 /// that are halved until points, normals and curvatures agree within half the tolerances. \param
 /// graph the seams of the join's shape. Source: docs/theory/surfaces.md S5.6.
 FaceDeformation deformedFace(const SideJoin& join, const Mover& mover, const SeamGraph& graph,
-                             const std::optional<double>& depth_mm);
+                             const Reachable& reachable);
 
 }  // namespace seamwright::occ

@@ -45,9 +45,8 @@ void LeastMoves::addPoint(const std::vector<int>& points, const Eigen::RowVector
   addGroup({points, factors, true, false, value, {}});
 }
 
-void LeastMoves::addSoft(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
-                         const Eigen::Vector3d& value) {
-  addGroup({points, factors, true, true, value, {}});
+void LeastMoves::addSoft(const std::vector<int>& points, const Eigen::MatrixXd& factors) {
+  addGroup({points, factors, true, true, Eigen::Vector3d::Zero(), {}});
 }
 
 void LeastMoves::sortPoints(Group& group) {

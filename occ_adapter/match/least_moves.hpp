@@ -27,9 +27,8 @@ class LeastMoves {
   void addPoint(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
                 const Eigen::Vector3d& value);
 
-  /// The same, with the weight \p softness of solve().
-  void addSoft(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
-               const Eigen::Vector3d& value);
+  /// For each row of factors: sum of factor times move = 0, with the weight \p softness of solve().
+  void addSoft(const std::vector<int>& points, const Eigen::MatrixXd& factors);
 
   /// Minimises the sum of the squared residuals of the conditions plus \p damping times the squared
   /// moves. Returns #points by 3. A second call for the same conditions is faster.

@@ -303,7 +303,8 @@ void judgeMoves(const MatchTask& task, const Candidate& candidate, MatchReport& 
   SeamResult seam = report.before;
   seam.faces = {1, 2};
   const TopoDS_Shape pair = pairOf(task.faces);
-  const NeededVariation needed = neededVariation(pair, {seam}, {true});
+  const NeededVariation needed =
+      neededVariation(pair, {seam}, {true}, std::nullopt, task.options.order > 1);
   for (const int which : {0, 1}) {
     const MovedSurface& moved = candidate.moved[which];
     if (moved.after.IsNull()) continue;

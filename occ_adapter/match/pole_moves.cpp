@@ -2,10 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/occ_adapter/match/least_moves.hpp>
 #include <seamwright/occ_adapter/match/pole_moves.hpp>
+#include <seamwright/occ_adapter/repair/hessian.hpp>
 
 namespace seamwright::occ {
 
@@ -40,47 +41,92 @@ struct MovingSum {
   }
 };
 
-/// Greville abscissae: where the poles of an axis act.
-std::vector<double> placesOf(const SplineAxis& axis) {
-  std::vector<double> places;
-  for (int i = 0; i < axis.poles; ++i)
-    places.push_back(
-        std::accumulate(axis.knots.begin() + i + 1, axis.knots.begin() + i + 1 + axis.degree, 0.0) /
-        axis.degree);
-  return places;
+/// Sums over poles that are to be small.
+struct Soft {
+  std::vector<int> points;
+  Eigen::MatrixXd factors;
+  std::optional<Eigen::Vector3d> normal = {};  ///< the part of the sum along it counts
+};
+
+/// Rows whose squares add up to the bending energy of the moves in a pair of spans; no rows if
+/// nothing moves there.
+Soft bendingOf(const Zone& zone, const SurfaceBasis& basis, const PointRows& poles,
+               const std::vector<int>& numbers, int span_u, int span_v) {
+  // As Displacement::bending(): enough points for the curvature of a cubic, and a little energy
+  // beyond the face.
+  static const GaussRule rule = gaussRule(3);
+  constexpr double share_outside = 0.03, share_of_metric = 1e-12;
+  const SplineAxis &u = basis.u(), &v = basis.v();
+  Soft soft;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+      const Eigen::Vector2d uv(u.knots[span_u] + rule.nodes[i] * u.length(span_u),
+                               v.knots[span_v] + rule.nodes[j] * v.length(span_v));
+      const PoleShares shares = basis.at(uv);
+      const SurfaceJet jet = jetOf(shares, poles);
+      const double least_metric =
+          share_of_metric * std::max(jet.u.squaredNorm(), jet.v.squaredNorm());
+      if (!(least_metric > 0)) continue;
+      const bool is_within =
+          (uv.array() >= zone.low.array()).all() && (uv.array() <= zone.high.array()).all();
+      const double area = jet.u.cross(jet.v).norm() * rule.weights[i] * rule.weights[j] *
+                          u.length(span_u) * v.length(span_v) * (is_within ? 1 : share_outside);
+      const Eigen::MatrixXd hessian = std::sqrt(area) * hessianShares(shares, jet, least_metric);
+      for (Eigen::Index row = 0; row < hessian.rows(); ++row) {
+        const MovingSum moving(shares.poles, hessian.row(row), numbers);
+        if (moving.points.empty()) return {};
+        soft.points = moving.points;
+        soft.factors.conservativeResize(soft.factors.rows() + 1, moving.factors.size());
+        soft.factors.bottomRows<1>() = moving.factors;
+      }
+    }
+  return soft;
 }
 
 class PoleSolver {
  public:
   PoleSolver(const Zone& zone, const std::vector<Station>& stations,
-             const std::vector<ClosingPoints>& closing)
+             const std::vector<ClosingPoints>& closing, const KeptEdges& kept)
       : zone_(zone),
         stations_(stations),
         closing_(closing),
+        kept_(kept),
         basis_(*zone.surface),
         numbers_(numbersOf(zone, basis_)),
-        poles_(polesOf(*zone.surface)) {
+        given_(polesOf(*zone.surface)),
+        poles_(given_) {
     for (const Station& station : stations_) shares_.push_back(basis_.at(station.uv, station.step));
     // Poles of one point differ by rounding only.
     collapsed_ = collapsedSides(basis_, poles_, 0);
+    setRow();
+    setBending();
   }
 
-  PoleMoves solved() {
-    // Each solution brings the conditions nearer by the square of the weight of bending, and the
-    // curvature by the square of what is left: a few reach rounding.
-    constexpr int most_solutions = 8;
-    const PointRows before = poles_;
-    double missed_mm = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < most_solutions; ++k) {
-      const double now_mm = step();
-      // Rounding, or conditions that contradict each other.
-      if (now_mm < 1e-12 || now_mm > 0.9 * missed_mm) break;
+  PoleMoves solved(const WorstShare& worst, const Nearness& nearness) {
+    constexpr int most_solutions = 16;
+    // Of what was missed before. What comes nearer more slowly needs less weight of bending.
+    constexpr double slow = 0.5, least_softness = 0.0009;
+    PointRows best = poles_;
+    double least = std::numeric_limits<double>::infinity(), missed_mm = least, softness = 1,
+           most_mm = least;
+    for (int k = 0; k < most_solutions && least > nearness.enough; ++k) {
+      step(softness);
+      const double share = worst(poles_), now_mm = largestMissed_mm(),
+                   move_mm = (poles_ - given_).rowwise().norm().maxCoeff();
+      if (move_mm > most_mm) break;
+      if (share <= least) best = poles_;
+      least = std::min(least, share);
+      const bool is_slow = !(now_mm < slow * missed_mm);
       missed_mm = now_mm;
+      if (!is_slow) continue;
+      if (softness == 1) most_mm = nearness.most_growth * move_mm;
+      softness /= 10;
+      if (softness < least_softness || least <= nearness.limit) break;
     }
     PoleMoves moves;
     moves.after = handle<Geom_BSplineSurface>::DownCast(zone_.surface->Copy());
-    moves.largest_mm = (poles_ - before).rowwise().norm().maxCoeff();
-    setPoles(*moves.after, poles_);
+    moves.largest_mm = (best - given_).rowwise().norm().maxCoeff();
+    setPoles(*moves.after, best);
     return moves;
   }
 
@@ -92,19 +138,20 @@ class PoleSolver {
     return total;
   }
 
-  /// Solves once. \returns the largest value of a condition, as it was before, in mm.
-  double step() {
+  /// Solves once.
+  void step(double softness) {
     LeastMoves system(static_cast<int>(zone_.poles.size()));
-    double missed_mm = 0;
-    for (std::size_t i = 0; i < stations_.size(); ++i)
-      missed_mm = std::max(missed_mm, addStation(stations_[i], shares_[i], system));
-    for (const ClosingPoints& points : closing_) addClosing(points, system);
+    for (std::size_t i = 0; i < stations_.size(); ++i) addStation(stations_[i], shares_[i], system);
+    for (const ClosingPoints& points : closing_) addClosing(points, softness, system);
     for (const std::vector<int>& side : collapsed_) addCollapsed(side, system);
-    addBending(0, system);
-    addBending(1, system);
+    for (const Soft& soft : bending_)
+      if (soft.normal)
+        system.add(soft.points, softness * soft.factors, *soft.normal, Eigen::VectorXd::Zero(1));
+      else
+        system.addSoft(soft.points, soft.factors);
     // Bending decides among moves that meet the conditions, and the size of the moves among those
     // that bend alike. Both are squared: small against 1, and far above rounding.
-    constexpr double damping = 1e-6, softness = 1e-3;
+    constexpr double damping = 1e-6;
     const PointRows moves = system.solve(damping, softness);
     for (std::size_t k = 0; k < zone_.poles.size(); ++k)
       poles_.row(zone_.poles[k]) += moves.row(static_cast<Eigen::Index>(k));
@@ -113,33 +160,50 @@ class PoleSolver {
       if (numbers_[side.front()] >= 0)
         for (const int pole : side) poles_.row(pole) = first;
     }
+  }
+
+  /// The largest value of a condition.
+  double largestMissed_mm() const {
+    double missed_mm = 0;
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      const Station& station = stations_[i];
+      const PoleShares& shares = shares_[i];
+      const auto include = [&](double value) { missed_mm = std::max(missed_mm, std::abs(value)); };
+      include((station.target.point - sum(shares, shares.share.row(0))).norm());
+      if (station.order < 1 || !station.target.normal) continue;
+      const Eigen::Vector3d& n = *station.target.normal;
+      const Eigen::Vector3d way = sum(shares, derivative(shares, station.step));
+      include(n.dot(way));
+      if (station.order < 2) continue;
+      const Eigen::RowVectorXd second = secondDerivative(shares, station.step, station.step);
+      include(way.dot(station.target.curvature * way) - n.dot(sum(shares, second)));
+    }
     return missed_mm;
   }
 
-  double addStation(const Station& station, const PoleShares& shares, LeastMoves& system) const {
+  void addStation(const Station& station, const PoleShares& shares, LeastMoves& system) const {
     const Eigen::RowVectorXd at = shares.share.row(0);
     const Eigen::Vector3d missing = station.target.point - sum(shares, at);
     const MovingSum point(shares.poles, at, numbers_);
-    if (point.points.empty()) return 0;
+    if (point.points.empty()) return;
     system.addPoint(point.points, point.factors, missing);
-    double missed_mm = missing.norm();
-    if (station.order < 1 || !station.target.normal) return missed_mm;
+    if (station.order < 1 || !station.target.normal) return;
     const Eigen::Vector3d& n = *station.target.normal;
     const Eigen::RowVectorXd across = derivative(shares, station.step);
     const Eigen::Vector3d way = sum(shares, across);
     const auto add = [&](const Eigen::RowVectorXd& factors, double value) {
       const MovingSum moving(shares.poles, factors, numbers_);
       system.add(moving.points, moving.factors, n, Eigen::VectorXd::Constant(1, value));
-      missed_mm = std::max(missed_mm, std::abs(value));
     };
     add(across, -n.dot(way));
-    if (station.order < 2) return missed_mm;
+    if (station.order < 2) return;
     const Eigen::RowVectorXd second = secondDerivative(shares, station.step, station.step);
     add(second, way.dot(station.target.curvature * way) - n.dot(sum(shares, second)));
-    return missed_mm;
   }
 
-  void addClosing(const ClosingPoints& points, LeastMoves& system) const {
+  void addClosing(const ClosingPoints& points, double softness, LeastMoves& system) const {
+    // What closes is not to open by what the bending weighs.
+    const double weight = std::max(1.0, 100 * softness);
     Eigen::Vector2d into = Eigen::Vector2d::Zero();
     into[points.direction] = points.into;
     const PoleShares one = basis_.at(points.uv, into), other = basis_.at(points.other_uv, -into);
@@ -150,9 +214,15 @@ class PoleSolver {
       poles.insert(poles.end(), other.poles.begin(), other.poles.end());
       Eigen::RowVectorXd factors(static_cast<Eigen::Index>(poles.size()));
       factors << ratio * one.share.row(rows[k]), -other.share.row(rows[k]);
-      factors /= std::max(factors.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
-      const MovingSum sum(poles, factors, numbers_);
-      if (!sum.points.empty()) system.addPoint(sum.points, sum.factors, Eigen::Vector3d::Zero());
+      factors *=
+          weight / std::max(factors.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
+      const MovingSum moving(poles, factors, numbers_);
+      if (moving.points.empty()) continue;
+      Eigen::Vector3d opened = Eigen::Vector3d::Zero();
+      for (std::size_t i = 0; i < poles.size(); ++i)
+        opened += factors[static_cast<Eigen::Index>(i)] *
+                  (poles_.row(poles[i]) - given_.row(poles[i])).transpose();
+      system.addPoint(moving.points, moving.factors, -opened);
     }
   }
 
@@ -163,38 +233,51 @@ class PoleSolver {
     }
   }
 
-  /// Second differences of the moves along one direction of the parameters, for equal steps as
-  /// long as the mean of the two that there are.
-  void addBending(int direction, LeastMoves& system) const {
-    const SplineAxis &axis = direction == 0 ? basis_.u() : basis_.v(),
-                     &other = direction == 0 ? basis_.v() : basis_.u();
-    const std::vector<double> places = placesOf(axis);
-    const auto number = [&](int i, int j) {
-      return direction == 0 ? basis_.pole(i, j) : basis_.pole(j, i);
-    };
-    const int last = axis.periodic ? axis.poles : axis.poles - 1;
-    for (int j = 0; j < other.poles; ++j)
-      for (int i = axis.periodic ? 0 : 1; i < last; ++i) {
-        const int before = (i + axis.poles - 1) % axis.poles, after = (i + 1) % axis.poles;
-        const auto distance = [&](int from, int to) {
-          const double way = places[to] - places[from];
-          return way > 0 ? way : way + axis.last - axis.first;
-        };
-        const double a = distance(before, i), b = distance(i, after), h = (a + b) / 2;
-        const std::vector<int> poles = {number(before, j), number(i, j), number(after, j)};
-        const MovingSum sum(poles, Eigen::RowVector3d(h / a, -h / a - h / b, h / b), numbers_);
-        if (!sum.points.empty()) system.addSoft(sum.points, sum.factors, Eigen::Vector3d::Zero());
+  /// The mean distance of the rows of poles at the stations. Conditions on derivatives are as long
+  /// as it, so energies in its square compare with them for any size of the model.
+  void setRow() {
+    int count = 0;
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      if (stations_[i].order < 1) continue;
+      row_mm_ += sum(shares_[i], derivative(shares_[i], stations_[i].step)).norm();
+      ++count;
+    }
+    row_mm_ = count > 0 ? row_mm_ / count : 1;
+  }
+
+  /// Rows whose squares add up to the bending energy of the moves, times the square of the row.
+  void setBending() {
+    for (const int span_u : basis_.u().spans())
+      for (const int span_v : basis_.v().spans()) {
+        Soft soft = bendingOf(zone_, basis_, poles_, numbers_, span_u, span_v);
+        soft.factors *= row_mm_;
+        if (!soft.points.empty()) bending_.push_back(std::move(soft));
       }
+    if (kept_.weight == 0) return;
+    for (const KeptPoint& point : kept_.points) {
+      const PoleShares shares = basis_.at(point.uv);
+      const double factor = row_mm_ / kept_.size_mm * std::sqrt(point.share);
+      const MovingSum moving(shares.poles, factor * shares.share.row(0), numbers_);
+      if (moving.points.empty()) continue;
+      bending_.push_back({moving.points, std::sqrt(kept_.weight) * moving.factors, point.normal});
+      // Edges slide no further than is needed: little against the energy of a turn.
+      constexpr double sliding_weight = 10;
+      if (point.normal)
+        bending_.push_back({moving.points, std::sqrt(sliding_weight) * moving.factors});
+    }
   }
 
   const Zone& zone_;
   const std::vector<Station>& stations_;
   const std::vector<ClosingPoints>& closing_;
+  const KeptEdges& kept_;
   SurfaceBasis basis_;
   std::vector<int> numbers_;
-  PointRows poles_;
+  PointRows given_, poles_;
   std::vector<PoleShares> shares_;
   std::vector<std::vector<int>> collapsed_;
+  double row_mm_ = 0;
+  std::vector<Soft> bending_;
 };
 
 /// How far the derivatives on both sides of a line are alike: the order, 0 to \p order. Sets the
@@ -263,8 +346,9 @@ std::vector<ClosingPoints> closingPoints(const Geom_BSplineSurface& surface, int
 }
 
 PoleMoves movedPoles(const Zone& zone, const std::vector<Station>& stations,
-                     const std::vector<ClosingPoints>& closing) {
-  return PoleSolver(zone, stations, closing).solved();
+                     const std::vector<ClosingPoints>& closing, const KeptEdges& kept,
+                     const WorstShare& worst, const Nearness& nearness) {
+  return PoleSolver(zone, stations, closing, kept).solved(worst, nearness);
 }
 
 }  // namespace seamwright::occ

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include <seamwright/occ_adapter/match/side_piece.hpp>
 #include <seamwright/occ_adapter/match/zone.hpp>
 
@@ -31,18 +34,46 @@ struct ClosingPoints {
 /// \param order 1 or 2
 std::vector<ClosingPoints> closingPoints(const Geom_BSplineSurface& surface, int order);
 
+/// A point that stays if this costs little bending.
+struct KeptPoint {
+  Eigen::Vector2d uv;
+  double share = 0;                       ///< of the length of all kept edges
+  std::optional<Eigen::Vector3d> normal;  ///< it may move across this: its edge slides
+};
+
+/// Points of edges that stay, softly: a move d of them counts as the bending energy weight times
+/// (|d| / size)^2 in the mean over the points.
+struct KeptEdges {
+  std::vector<KeptPoint> points;
+  double weight = 0, size_mm = 1;
+};
+
 struct PoleMoves {
   opencascade::handle<Geom_BSplineSurface> after;
   double largest_mm = 0;  ///< of a pole, so that no point moves further
 };
 
-/// Moves the poles of the zone with the least bending of the moves: the least sum of squared second
-/// differences, in mm, over neighbouring poles. Conditions of a station: X = point, n . X_s = 0 for
-/// its step s, n . X_ss = II(X_s, X_s). Conditions are met to rounding if they can be, otherwise in
-/// the sense of least squares; solutions are repeated, since the last one is not linear. Poles of a
-/// side that is one point stay one point. Weights stay.
+/// The largest figure of the stations as a share of its tolerance, for these poles of the zone's
+/// surface.
+using WorstShare = std::function<double(const PointRows& poles)>;
+
+/// How near to its targets a surface has to come.
+struct Nearness {
+  double enough = 0.02;  ///< share of the tolerances; nearer is of no use
+  double limit = 0.5;    ///< share of the tolerances; nearer is not worth more bending
+  /// The weight of bending starts at 1 and falls to a tenth while solutions come nearer slowly and
+  /// are beyond the limit. They may move so many times as far as with the weight 1: what moves
+  /// farther makes waves, and needs more knots instead.
+  double most_growth = 3;
+};
+
+/// Moves the poles of the zone with the least bending of the moves: the integral of |Hess d|^2 over
+/// the face, in the metric of the surface. Conditions of a station: X = point, n . X_s = 0 for its
+/// step s, n . X_ss = II(X_s, X_s). Each solution comes nearer to them and bends more; the nearest
+/// one is taken. Poles of a side that is one point stay one point. Weights stay.
 /// Source: docs/theory/surfaces.md S5.6.
 PoleMoves movedPoles(const Zone& zone, const std::vector<Station>& stations,
-                     const std::vector<ClosingPoints>& closing);
+                     const std::vector<ClosingPoints>& closing, const KeptEdges& kept,
+                     const WorstShare& worst, const Nearness& nearness);
 
 }  // namespace seamwright::occ

@@ -5,6 +5,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/convert/surface_kind.hpp>
 #include <seamwright/occ_adapter/match/face_deformation.hpp>
+#include <seamwright/occ_adapter/match/kept_edges.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/side_join.hpp>
 #include <seamwright/occ_adapter/match/zone.hpp>
@@ -100,7 +102,7 @@ bool folds(const std::vector<MoverPiece>& pieces) {
 bool mayBeDeeper(MatchFault fault) {
   return fault == MatchFault::LessFair || fault == MatchFault::FoldsOver ||
          fault == MatchFault::MissesTolerance || fault == MatchFault::StillMisses ||
-         fault == MatchFault::DepthTooSmall;
+         fault == MatchFault::DepthTooSmall || fault == MatchFault::EdgesStray;
 }
 
 bool isFolded(const Mover& mover, const handle<Geom_BSplineSurface>& after) {
@@ -114,6 +116,25 @@ bool isFolded(const Mover& mover, const handle<Geom_BSplineSurface>& after) {
     range[i + 1] = std::min(range[i + 1], whole[i + 1]);
   }
   return differenceOf(mover.spline, after, range).folded_at.has_value();
+}
+
+/// How far a change may reach, in the order of the attempts: other edges stay within the gap
+/// tolerance if they can, and otherwise where the proof accepts them.
+std::vector<Reachable> attemptsOf(const SideMatchOptions& options, const TopoDS_Face& face,
+                                  const std::vector<SeamResult>& seams) {
+  double length_mm = 0;
+  for (const SeamResult& seam : seams) length_mm += seam.length_mm;
+  const double width_mm = meanWidth_mm(face, length_mm);
+  std::vector<std::optional<double>> depths = {options.depth_mm};
+  if (!options.depth_mm) depths = {std::nullopt, width_mm / 2, width_mm};
+  // Shares of the gap tolerance: an edge runs halfway between its faces, and may be twice the
+  // tolerance from them.
+  constexpr std::array strays = {0.8, 3.2};
+  std::vector<Reachable> all;
+  for (const double stray : strays)
+    for (const std::optional<double>& depth_mm : depths)
+      all.push_back({depth_mm, stray * options.tolerance.gap_mm});
+  return all;
 }
 
 class SideJoiner {
@@ -144,11 +165,17 @@ class SideJoiner {
       result_.failure = match_why::facesFold();
       return result_;
     }
-    const std::vector<std::optional<double>> depths = depthsToTry();
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-      const double done = static_cast<double>(i) / static_cast<double>(depths.size());
-      MatchReason failure = tried(depths[i]);
-      announce(0.1 + 0.9 * (done + 1 / static_cast<double>(depths.size())));
+    const std::vector<Reachable> attempts =
+        attemptsOf(join_.options, faceOf(join_.face), result_.before);
+    const std::size_t first_round = attempts.size() / 2;
+    std::vector<bool> keeps_edges;
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+      // What no kept edge bounds comes out as before.
+      if (i >= first_round && !keeps_edges[i - first_round]) continue;
+      keeps_edges_ = false;
+      MatchReason failure = tried(attempts[i]);
+      keeps_edges.push_back(keeps_edges_);
+      announce(0.1 + 0.9 * static_cast<double>(i + 1) / static_cast<double>(attempts.size()));
       // Deeper changes are fairer, and bend less; what else is wrong stays so.
       if (failure.empty()) {
         result_.failure = {};
@@ -167,14 +194,6 @@ class SideJoiner {
 
   bool reaches(const SeamResult& seam, int order) const {
     return certainlyReaches(seam.figures, join_.options.tolerance, levelOfOrder(order));
-  }
-
-  std::vector<std::optional<double>> depthsToTry() const {
-    if (join_.options.depth_mm) return {join_.options.depth_mm};
-    double length_mm = 0;
-    for (const SeamResult& seam : result_.before) length_mm += seam.length_mm;
-    const double width_mm = meanWidth_mm(faceOf(join_.face), length_mm);
-    return {std::nullopt, width_mm / 2, width_mm};
   }
 
   TopoDS_Face faceOf(int number) const {
@@ -206,12 +225,14 @@ class SideJoiner {
     return {};
   }
 
-  MatchReason tried(const std::optional<double>& depth_mm) {
+  MatchReason tried(const Reachable& reachable) {
     std::vector<FaceChange> changes;
+    std::vector<PathChange> paths;
     result_.moves.clear();
     double depth = 0;
     for (const Mover& mover : movers_) {
-      const FaceDeformation made = deformedFace(join_, mover, graph_, depth_mm);
+      const FaceDeformation made = deformedFace(join_, mover, graph_, reachable);
+      keeps_edges_ = keeps_edges_ || made.keeps_edges;
       if (!made.failure.empty()) return made.failure;
       if (made.move_mm > join_.options.max_move_mm)
         return match_why::movesTooFar(made.move_mm, join_.options.max_move_mm);
@@ -219,17 +240,22 @@ class SideJoiner {
         return match_why::foldsOver(match_why::joinedInZone(made.depth_mm),
                                     nameOf(join_, mover.number));
       changes.push_back({mover.number, handle<Geom_Surface>(made.after), made.move_mm});
+      if (join_.options.hold == HeldEdges::None)
+        for (PathChange& path : slidPaths(join_, mover, graph_, made.after))
+          paths.push_back(std::move(path));
       depth = std::max(depth, made.depth_mm);
       announce(0.1);
     }
     if (MatchReason unfair = judged(changes); !unfair.empty()) return unfair;
-    return proven(changes, depth);
+    return proven(changes, paths, depth);
   }
 
   MatchReason judged(const std::vector<FaceChange>& changes) {
     const std::vector<bool> treated(result_.before.size(), true);
+    const bool to_curvature =
+        std::ranges::any_of(join_.pieces, [](const SidePiece& piece) { return piece.order > 1; });
     const NeededVariation needed =
-        neededVariation(join_.shape, result_.before, treated, join_.options.depth_mm);
+        neededVariation(join_.shape, result_.before, treated, join_.options.depth_mm, to_curvature);
     MatchReason unfair;
     for (const FaceChange& change : changes) {
       FaceMove move = judgedMove(change.face, faceOf(change.face),
@@ -242,10 +268,11 @@ class SideJoiner {
     return unfair;
   }
 
-  MatchReason proven(const std::vector<FaceChange>& changes, double depth_mm) {
+  MatchReason proven(const std::vector<FaceChange>& changes, const std::vector<PathChange>& paths,
+                     double depth_mm) {
     const MatchReason how = match_why::joinedInZone(depth_mm);
-    const TopoDS_Shape changed =
-        withChanges(join_.shape, changes, join_.options.tolerance.gap_mm, {}, join_.options.jobs);
+    const TopoDS_Shape changed = withChanges(join_.shape, changes, join_.options.tolerance.gap_mm,
+                                             paths, join_.options.jobs);
     std::vector<Seam> seams;
     for (const SidePiece& piece : join_.pieces) seams.push_back(seamIn(changed, piece.seam));
     std::vector<SeamResult> after;
@@ -308,6 +335,7 @@ class SideJoiner {
   TopTools_IndexedMapOfShape faces_;
   std::vector<Mover> movers_;
   SideJoinResult result_;
+  bool keeps_edges_ = false;  ///< of the last attempt: FaceDeformation::keeps_edges of a mover
 };
 
 }  // namespace

@@ -233,7 +233,7 @@ void ZoneMaker::insertAcross(Reach& reach) {
       if (std::abs(reached - side) < std::abs(depth - side)) depth = reached;
     }
     // Rows of which all support ends at the depth: one more than there are knots before it.
-    axis.fill(std::min(side, depth), std::max(side, depth), rows + 1);
+    axis.fill(std::min(side, depth), std::max(side, depth), 2 * (rows + 1));
   }
   reach.band = {std::min(side, depth), std::max(side, depth)};
   double fade_mm = depth_mm_;
@@ -362,6 +362,8 @@ Zone ZoneMaker::zone() const {
       zone.depth_mm = std::max(zone.depth_mm, nearest_mm);
     }
   zone.surface = surface_;
+  zone.low = face_low_;
+  zone.high = face_high_;
   std::ranges::set_difference(near, forbidden, std::back_inserter(zone.poles));
   return zone;
 }

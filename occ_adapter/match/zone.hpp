@@ -31,6 +31,7 @@ struct ZoneOptions {
 struct Zone {
   opencascade::handle<Geom_BSplineSurface> surface;  ///< with more knots, of the same shape
   std::vector<int> poles;                            ///< numbers in SurfaceBasis, increasing
+  Eigen::Vector2d low, high;                         ///< parameters that the face shows
   double depth_mm = 0;  ///< farthest that a point of the face may be from the sides and move
 };
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -16,6 +14,7 @@
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/occ_adapter/convert/closed_spline.hpp>
 #include <seamwright/occ_adapter/repair/displacement.hpp>
+#include <seamwright/occ_adapter/repair/hessian.hpp>
 #include <seamwright/occ_adapter/repair/prepared_surface.hpp>
 
 namespace seamwright::occ {
@@ -185,33 +184,6 @@ std::vector<int> sortedOnce(std::vector<int> numbers) {
   std::ranges::sort(numbers);
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
-}
-
-/// The Hessian in an orthonormal frame, as rows: along both axes and, times sqrt(2), mixed. So the
-/// sum of squares of the rows is the squared Frobenius norm.
-Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet,
-                              double least_metric) {
-  Eigen::Matrix2d metric;
-  metric << jet.u.dot(jet.u), jet.u.dot(jet.v), jet.u.dot(jet.v), jet.v.dot(jet.v);
-  metric.diagonal().array() += least_metric;
-  const Eigen::Matrix2d inverse = metric.inverse();
-  // Christoffel symbols of the second kind: the tangential part of the second derivatives.
-  const auto covariant = [&](int row, const Eigen::Vector3d& second) -> Eigen::RowVectorXd {
-    const Eigen::Vector2d gamma = inverse * Eigen::Vector2d(jet.u.dot(second), jet.v.dot(second));
-    return shares.share.row(row) - gamma[0] * shares.share.row(1) - gamma[1] * shares.share.row(2);
-  };
-  const Eigen::RowVectorXd uu = covariant(3, jet.uu), uv = covariant(4, jet.uv),
-                           vv = covariant(5, jet.vv);
-  const Eigen::Matrix2d lower = metric.llt().matrixL();
-  const Eigen::Matrix2d frame = lower.inverse();  // its rows are the frame's axes in parameters
-  const auto along = [&](int a, int b) -> Eigen::RowVectorXd {
-    return frame(a, 0) * frame(b, 0) * uu +
-           (frame(a, 0) * frame(b, 1) + frame(a, 1) * frame(b, 0)) * uv +
-           frame(a, 1) * frame(b, 1) * vv;
-  };
-  Eigen::MatrixXd rows(3, uu.size());
-  rows << along(0, 0), along(1, 1), std::sqrt(2.0) * along(0, 1);
-  return rows;
 }
 
 }  // namespace

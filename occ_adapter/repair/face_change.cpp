@@ -271,18 +271,23 @@ double widthBeside_mm(const TopoDS_Face& face, double length_mm) {
 }  // namespace
 
 NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
-                                const std::vector<bool>& treated, std::optional<double> depth_mm) {
+                                const std::vector<bool>& treated, std::optional<double> depth_mm,
+                                bool to_curvature) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   NeededVariation needed;
   for (std::size_t i = 0; i < seams.size(); ++i) {
     const auto& angle = seams[i].figures.angle_rad;
     if (!treated[i] || !angle || !(seams[i].length_mm > 0)) continue;
+    const auto& curvature = seams[i].figures.curvature_per_mm;
+    const double of_curvature =
+        to_curvature && curvature ? curvature->upper.value_or(curvature->lower) : 0;
     for (const int number : seams[i].faces) {
       const double beside_mm = widthBeside_mm(TopoDS::Face(faces(number)), seams[i].length_mm),
                    width_mm = std::clamp(depth_mm.value_or(beside_mm), beside_mm / 2, beside_mm);
       if (width_mm > 0)
-        needed[number] = std::max(needed[number],
-                                  visibleVariation(angle->upper.value_or(angle->lower), width_mm));
+        needed[number] = std::max(
+            needed[number],
+            visibleVariation(angle->upper.value_or(angle->lower), width_mm) + of_curvature);
     }
   }
   return needed;

@@ -47,12 +47,14 @@ double variationOf_per_mm(const TopoDS_Face& face,
 /// By face: the variation of the mean curvature that it needs to turn its tangent plane along its
 /// treated seams by their angles, with least bending. The turn fades over the mean width of the
 /// face beside the seam: its area divided by the seam's length; or over a given depth between half
-/// of that width and all of it.
-/// Source: docs/theory/repair.md R1.
+/// of that width and all of it. With \p to_curvature it also needs the largest difference of the
+/// curvatures along those seams.
+/// Source: docs/theory/repair.md R1 and R5.
 using NeededVariation = std::map<int, double>;
 NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
                                 const std::vector<bool>& treated,
-                                std::optional<double> depth_mm = std::nullopt);
+                                std::optional<double> depth_mm = std::nullopt,
+                                bool to_curvature = false);
 
 /// The variation that is invisible on a face or that it needs: visibleVariation() of the accepted
 /// angle over the diagonal of the face's box, plus fairness times the needed variation.
