@@ -9,6 +9,7 @@
 #include <seamwright/core/join/ribbon.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace seamwright {
 
@@ -72,8 +73,9 @@ std::vector<Fairness> fairnessChoices(const fill::FillSpace& space, int order) {
 }
 
 /// Sets \p result to the fairest fill whose patches are regular.
-void chooseFairest(NSidedFill& result, const fill::FillSpace& space, int order) {
-  std::optional<NSidedFill> first;
+/// \returns its unknowns.
+Poles chooseFairest(NSidedFill& result, const fill::FillSpace& space, int order) {
+  std::optional<std::pair<NSidedFill, Poles>> first;
   for (const Fairness& choice : fairnessChoices(space, order)) {
     const fill::Fairest best = fill::fairest(space, choice.order, choice.spoke_scale);
     result.patches = fill::patchesOf(space, best.unknowns);
@@ -81,10 +83,11 @@ void chooseFairest(NSidedFill& result, const fill::FillSpace& space, int order) 
     result.spoke_scale = choice.spoke_scale;
     result.regular =
         std::ranges::all_of(result.patches, [](const BezierPatch& p) { return provedRegular(p); });
-    if (result.regular) return;
-    if (!first) first = result;
+    if (result.regular) return best.unknowns;
+    if (!first) first = {result, best.unknowns};
   }
-  result = std::move(*first);
+  result = std::move(first->first);
+  return std::move(first->second);
 }
 
 }  // namespace
@@ -109,8 +112,10 @@ NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& opt
   for (const std::optional<fill::SideField>& field : fields.sides)
     result.sides.push_back(field ? std::optional(field->joins) : std::nullopt);
   result.corners = std::move(fields.corners);
-  chooseFairest(result, space, options.fairness_order);
+  const Poles fairest = chooseFairest(result, space, options.fairness_order);
   if (options.curvature_degrees) {
+    // What neither jumps nor fairness decide stays as in the fairest fill.
+    space.constants += space.coefficients * fairest;
     fill::CurvedPatches curved = fill::leastCurvatureJump(
         space, result.patches, fill::starEdges(space.patches), sides, options.fairness_order,
         [&](const Poles& unknowns) { return fill::patchesOf(space, unknowns); });

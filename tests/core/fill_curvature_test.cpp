@@ -81,6 +81,27 @@ TEST_P(FillCurvature, JumpsBecomeSmallAndTheSurfaceIsMet) {
   }
 }
 
+// Nothing but fairness decides here, which leaves many fills equal.
+TEST_P(FillCurvature, PlanarSidesOfPositionAloneStayPlanar) {
+  std::vector<FillSide> sides;
+  const std::vector<Vector2d> corners = test::polygon(GetParam(), 10);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vector2d &a = corners[k], &b = corners[(k + 1) % corners.size()];
+    Poles edge(2, 3);
+    edge << a.x() + 30, a.y() - 20, 10, b.x() + 30, b.y() - 20, 10;
+    sides.push_back({BezierCurve(edge)});
+  }
+  for (const SpokeLaw law : {SpokeLaw::Linear, SpokeLaw::G2})
+    for (const int degrees : {0, 2})
+      for (const BezierPatch& patch :
+           nSidedFill(sides, {.law = law, .curvature_degrees = degrees}).patches) {
+        const Poles poles = patch.poles();
+        EXPECT_LT((poles.col(2).array() - 10).abs().maxCoeff(), 1e-10);
+        EXPECT_LT((poles.rowwise() - Eigen::RowVector3d(30, -20, 10)).rowwise().norm().maxCoeff(),
+                  11);
+      }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sides, FillCurvature, testing::Values(3, 4, 5, 6));
 
 // What is exact already stays so.
