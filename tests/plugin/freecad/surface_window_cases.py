@@ -199,6 +199,21 @@ class Panel(SurfaceWindow):
         self.cancel()
         self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
 
+    def test_a_surface_that_folds_over_is_a_warning(self):
+        far = models.add(self.doc, sheet(60, 40, 0.3), "Far")
+        self.doc.recompute()
+        obj, panel = self.start("BlendSurface", self.start_edge, (far, at_x(far, 60)))
+        self.assertEqual(panel.summary.styleSheet(), "")
+        for name in ("start_tension", "end_tension"):
+            self.set_field(panel, name, 5.0)
+        self.assertIn("but the surface folds over", panel.summary.text())
+        self.assertIn("color", panel.summary.styleSheet())
+        whole_window("surface-fold")
+        for name in ("start_tension", "end_tension"):
+            self.set_field(panel, name, 1.0)
+        self.assertEqual((panel.summary.text(), panel.summary.styleSheet()), (obj.Summary, ""))
+        self.cancel()
+
     def test_cancel_of_a_later_change_restores_the_values(self):
         obj, _ = self.blend()
         self.ok()
