@@ -73,6 +73,7 @@ class Computation:
         self._locked, self._focus = [], None
         self._build()
         Gui.getMainWindow().windowHandle().installEventFilter(_Keys(self, self.line))
+        form.destroyed.connect(lambda *_: self._abandon())
         self._timer = QtCore.QTimer(self.line)
         self._timer.setInterval(LOCK_AFTER_MS)
         self._timer.timeout.connect(self.show)
@@ -157,6 +158,13 @@ class Computation:
         if self._task is not None:
             self._task.cancel()
             self._end()
+
+    def _abandon(self):
+        """Stop, since the panel and its widgets are gone."""
+        if self._task is not None:
+            self._task.cancel()
+        self._task = self._stopped = None
+        self._timer.stop()
 
     def _end(self):
         self._task = self._stopped = None
