@@ -37,6 +37,8 @@ from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.surfaces.view import COLOUR
 
+BALL = [round(255 * each) for each in HANDLE]
+
 
 class SurfaceWindow(PanelWindow):
     is_made = staticmethod(surface.is_surface)
@@ -270,6 +272,7 @@ class Panel(SurfaceWindow):
         panel.zebra.setChecked(True)
         settle()
         self.assertEqual(set(zebra.objects(self.doc)), {obj, self.low, self.high})
+        self.assertGreater(count(picture("surface-stripes-balls"), BALL, reach=60), 50)
         whole_window("surface-stripes")
         self.set_field(panel, "start_order", "G1")
         settle()
@@ -361,8 +364,7 @@ class Keys(SurfaceWindow):
         Gui.activeDocument().activeView().viewTop()
         Gui.activeDocument().activeView().fitAll()
         settle()
-        ball = [round(255 * each) for each in HANDLE]
-        self.assertGreater(count(picture("handle-behind"), ball, reach=60), 50)
+        self.assertGreater(count(picture("handle-behind"), BALL, reach=60), 50)
         start, end = self.places(obj, 1, 2)
         self.grab(start, end)
         self.release(end)
