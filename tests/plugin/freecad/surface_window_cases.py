@@ -232,6 +232,29 @@ class Panel(SurfaceWindow):
             self.assertEqual((obj.StartOrder, obj.End), ("G2", [(self.high, (self.end_edge[1],))]))
             self.assertTrue(obj.Reached)
 
+    def test_cancel_and_the_undo_of_a_deletion_leave_no_mark_in_the_tree(self):
+        obj, panel = self.blend()
+        self.ok()
+        Gui.getDocument(self.doc.Name).setEdit(obj.Name)
+        settle()
+        self.set_field(obj.ViewObject.Proxy.panel, "start_order", "G1")
+        self.assertEqual(obj.StartOrder, "G1")
+        self.cancel()
+        self.assertEqual((obj.StartOrder, obj.State), ("G2", ["Up-to-date"]))
+        self.doc.openTransaction("Delete")
+        self.doc.removeObject(self.high.Name)
+        self.doc.recompute()
+        self.doc.commitTransaction()
+        settle()
+        self.assertIn("Invalid", obj.State)
+        self.doc.undo()
+        settle()
+        self.assertEqual((obj.State, self.doc.RedoCount), (["Up-to-date"], 1))
+        self.assertFalse(obj.Shape.isNull())
+        obj.StartOrder = "G1"
+        self.doc.recompute()
+        self.assertEqual(report_of(obj)["seams"][0]["target"], "G1")
+
     def test_a_tension_is_changed_by_its_handle(self):
         obj, panel = self.blend()
         self.assertEqual(sorted(panel._handles), ["end_tension", "start_tension"])

@@ -50,6 +50,7 @@ class ResultPanel:
         self._ended = False
         self._edits = self._computed_edits = 0
         self._seen = self._state()
+        self._touched = [each.Name for each in self._followers() if "Touched" in each.State]
         self._hidden = [
             each.Name
             for each in self.replaced()
@@ -170,6 +171,7 @@ class ResultPanel:
         replaced = self.replaced()
         if self._doc.HasPendingTransaction:
             self._doc.abortTransaction()
+            self._forget_touches()
         elif not self._created:
             with step(self._doc, tr("Restore")):
                 expressions.bind(self.obj, self._kept_expressions)
@@ -184,6 +186,17 @@ class ResultPanel:
             self.show(True)
         Gui.getDocument(self._doc.Name).resetEdit()
         return True
+
+    def _followers(self):
+        return [self.obj, *self.obj.InListRecursive]
+
+    def _forget_touches(self):
+        """Let all that is again as before the panel count as up to date, if it did then."""
+        if self._doc.getObject(self._name) is None:
+            return
+        for each in self._followers():
+            if "Touched" in each.State and each.Name not in self._touched:
+                each.purgeTouched()
 
     def leave(self):
         """The panel closes, by OK, by Cancel or because FreeCAD ends the editing.
