@@ -104,7 +104,9 @@ class Holes(FillCase):
         obj = fill.create(source, target="G2")
         self.assertNotFilled(obj, "is not G2")
         self.assertNamesTheHole(obj)
-        self.assertRegex(obj.Summary, r"The best fill needs .*a curvature tolerance of [0-9]+ %; Keep anyway")
+        self.assertRegex(
+            obj.Summary, r"The best fill needs .*a curvature tolerance of [0-9]+ %; Keep anyway"
+        )
         obj.Target = "G1"
         self.doc.recompute()
         self.assertEqual((fill.error_text(obj), obj.Reached), ("", True))

@@ -17,7 +17,7 @@ SHOWN_S = 2 * computation.LOCK_AFTER_MS / 1000
 
 
 def type_text(text):
-    """Type into the window, "\\t" is Tab; return the letters that FreeCAD would take as shortcuts."""
+    """Type into the window, "\\t" is Tab; return the letters that would be shortcuts of FreeCAD."""
     target, lost = Gui.getMainWindow().windowHandle(), ""
     for letter in text:
         key = QtCore.Qt.Key_Tab if letter == "\t" else ord(letter)

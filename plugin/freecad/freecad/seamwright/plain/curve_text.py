@@ -4,7 +4,7 @@
 import math
 
 from freecad.seamwright.plain.enclosure import number
-from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.summary import capital, counted
 
 
@@ -159,8 +159,10 @@ def _kind_of_conics(report):
         )
     if abs(least - 1) <= PARABOLA:
         return tr("A parabola")
-    kind = tr("An ellipse of weight {weight}") if least < 1 else tr("A hyperbola of weight {weight}")
-    return kind.format(weight=number(least))
+    kind = mark("A hyperbola of weight {weight}")
+    if least < 1:
+        kind = mark("An ellipse of weight {weight}")
+    return tr(kind).format(weight=number(least))
 
 
 def blend_text(report):

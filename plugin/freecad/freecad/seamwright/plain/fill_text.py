@@ -11,7 +11,15 @@ The numbers of faces and edges are those of the result; in reasons they are thos
 import math
 import re
 
-from freecad.seamwright.plain import enclosure, kernel_words, lengths, new_seams, repair_text, rows, summary
+from freecad.seamwright.plain import (
+    enclosure,
+    kernel_words,
+    lengths,
+    new_seams,
+    repair_text,
+    rows,
+    summary,
+)
 from freecad.seamwright.plain.language import mark, tr
 
 #: What a report says about the faces at a seam: two new ones, or a new one and a face by its name.
