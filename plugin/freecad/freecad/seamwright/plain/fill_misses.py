@@ -19,7 +19,7 @@ RAMP = ((0.0, (240, 200, 60)), (0.5, (213, 94, 0)), (1.0, (110, 0, 30)))
 #: Faces that meet at a larger angle meet at an edge: no tolerance for tangent planes.
 EDGE_DEG = 5.0
 
-#: A larger relative difference of curvature is none that a tolerance can allow.
+#: From this relative difference of curvature on, a tolerance would say nothing.
 MOST_CURVATURE_REL = 1.0
 
 #: A smaller tolerance counts as this one, so that shares stay finite.
@@ -106,6 +106,6 @@ def allowed(report):
             found[name] = wanted
     sensible = (
         found.get("angle_deg", 0.0) <= EDGE_DEG
-        and found.get("curvature_rel", 0.0) <= MOST_CURVATURE_REL
+        and found.get("curvature_rel", 0.0) < MOST_CURVATURE_REL
     )
     return found if sensible else {}
