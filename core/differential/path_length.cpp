@@ -25,7 +25,7 @@ double chebyshevSum(const std::array<double, Count>& coefficients, double x) {
 /// cos(pi k (i + 1/2) / Count): Chebyshev polynomial k at node i.
 template <std::size_t Count>
 std::array<std::array<double, Count>, Count> chebyshevTable() {
-  std::array<std::array<double, Count>, Count> table;
+  std::array<std::array<double, Count>, Count> table{};
   for (std::size_t k = 0; k < Count; ++k)
     for (std::size_t i = 0; i < Count; ++i)
       table[k][i] = std::cos(std::numbers::pi * static_cast<double>(k) *
@@ -50,7 +50,7 @@ PathLength::Piece PathLength::interpolant(const std::function<double(double)>& s
                                           double from, double to) {
   static const auto table = chebyshevTable<nodes>();
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  std::array<double, nodes> speeds;
+  std::array<double, nodes> speeds{};
   for (int i = 0; i < nodes; ++i) speeds[i] = speed_mm(middle + half * table[1][i]);
   Piece piece{.from = from, .to = to};
   for (int k = 0; k < nodes; ++k) {

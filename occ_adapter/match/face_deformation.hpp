@@ -52,9 +52,10 @@ struct Reachable {
   double stray_mm = 0;             ///< other edges that the face shares move less if they can
 };
 
-/// Moves the poles near the pieces of the mover with the least bending of their moves, in spans
-/// that are halved until points, normals and curvatures agree within half the tolerances. \param
-/// graph the seams of the join's shape. Source: docs/theory/surfaces.md S5.6.
+/// Moves the poles near the pieces of the mover with the least bending of their moves. Spans are
+/// cut where points, normals and curvatures miss half the tolerances, and bending weighs less as
+/// long as the moves grow little. \param graph the seams of the join's shape. Source:
+/// docs/theory/surfaces.md S5.6.
 FaceDeformation deformedFace(const SideJoin& join, const Mover& mover, const SeamGraph& graph,
                              const Reachable& reachable);
 

@@ -219,7 +219,7 @@ class Chains(MatchCase):
     def test_a_kink_that_makes_the_face_less_fair_needs_a_depth(self):
         surface = Part.BSplineSurface()
         surface.interpolate(
-            [[V(8 * i, 10 * j, -3 * i * i) for j in range(5)] for i in range(6)]
+            [[V(8 * i, 10 * j, -6 * i * i) for j in range(5)] for i in range(6)]
         )
         self.right.Shape = surface.toShape()
         self.doc.recompute()

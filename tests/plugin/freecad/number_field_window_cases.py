@@ -97,6 +97,7 @@ class Fields(PanelWindow):
         self.assertEqual((mm, inches), ("Length mm", "Length in"))
         self.assertAlmostEqual(length / 25.4, shorter, delta=1e-3 * length)
         mended = repair.create(obj.Analysed[0])
+        App.Units.setSchema(INCHES)  # FreeCAD 1.1 takes that of the document again
         mended.ViewObject.Proxy.doubleClicked(mended.ViewObject)
         settle()
         heading = mended.ViewObject.Proxy.panel.table.horizontalHeaderItem(3)
@@ -135,16 +136,17 @@ class Fields(PanelWindow):
         )
         return found, found.findChild(QtWidgets.QWidget, "expression")
 
-    def discard_button(self):
-        """The button of the open editor that removes the expression."""
+    def discard(self):
+        """Press the button of the open editor that removes the expression."""
         editor, _ = self.editor()
         buttons = QtWidgets.QDialogButtonBox
         box = editor.findChild(buttons)
         if box is None:  # before FreeCAD 1.1
-            return editor.findChild(QtWidgets.QPushButton, "discardBtn")
+            editor.findChild(QtWidgets.QPushButton, "discardBtn").click()
+            return
         removing = (buttons.ResetRole, buttons.DestructiveRole)
         (found,) = (each for each in box.buttons() if box.buttonRole(each) in removing)
-        return found
+        found.click()
 
     def write(self, text):
         """Write an expression into the open editor, and press its OK."""
@@ -208,7 +210,7 @@ class Fields(PanelWindow):
         settle()
         self.assertEqual(field.number(), 0.04)
         self.type_equals(field)
-        self.discard_button().click()
+        self.discard()
         settle()
         self.assertEqual((obj.ExpressionEngine, field.isReadOnly()), ([], False))
         self.assertEqual((field.number(), field.toolTip()), (0.04, tip))

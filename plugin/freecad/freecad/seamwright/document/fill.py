@@ -260,8 +260,11 @@ def _rejected(fill):
     limits = {name: found[name] for name in ("gap_mm", "angle_deg", "curvature_rel")}
     for seam, own in zip(found["outer"] + found["inner"], fill.entry["seams"]):
         beside = [faces[number - 1] for number in seam["faces"]]
-        along = (_along(edges[n - 1], beside, limits, found["target"]) for n in seam["edges"])
+        its = [edges[number - 1] for number in seam["edges"]]
+        along = (_along(edge, beside, limits, found["target"]) for edge in its)
         own["along"] = [each for each in along if each is not None]
+        if its:  # the worst point may be a corner, where two edges of the hole meet
+            own["point"] = tuple(its[0].valueAt((its[0].FirstParameter + its[0].LastParameter) / 2))
     return [faces[number - 1] for number in found["faces"]]
 
 
