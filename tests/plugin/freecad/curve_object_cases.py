@@ -181,7 +181,7 @@ class Objects(DocumentCase):
         self.doc.removeObject("Points")
         obj.touch()
         self.doc.recompute()
-        self.assertFailed(obj, "The sources were deleted")
+        self.assertFailed(obj, "the sources were deleted")
         self.assertTrue(obj.Shape.isNull())
 
     def test_saved_curves_open_without_the_compiled_part(self):

@@ -104,7 +104,9 @@ class Holes(FillCase):
         obj = fill.create(source, target="G2")
         self.assertNotFilled(obj, "is not G2")
         self.assertNamesTheHole(obj)
-        self.assertRegex(obj.Summary, r"The best fill needs .*a curvature of [0-9]+ %; Keep anyway")
+        self.assertRegex(
+            obj.Summary, r"The best fill needs .*a curvature tolerance of [0-9]+ %; Keep anyway"
+        )
         obj.Target = "G1"
         self.doc.recompute()
         self.assertEqual((fill.error_text(obj), obj.Reached), ("", True))
@@ -217,7 +219,7 @@ class Holes(FillCase):
             (fill.error_text(obj), obj.Filled, obj.Wanted, obj.Reached), ("", 1, 2, False)
         )
         self.assertIn("1 of 2 holes filled", obj.Summary)
-        self.assertRegex("".join(fill_text.reasons(fill.report_of(obj))), "^Hole 1: .* 90 degrees")
+        self.assertRegex("".join(fill_text.reasons(fill.report_of(obj))), "^Hole 1: .* 90\u00b0")
 
     def test_a_round_hole(self):
         can = models.add(self.doc, Part.makeShell(Part.makeCylinder(3, 10).Faces[:2]), "Can")

@@ -144,7 +144,7 @@ class Filling(FillWindow):
         self.preview(panel)
         self.assertEqual(self.visible(), ["Block"])
         self.assertRegex(panel.summary.text(), "is not G1|does not certainly reach G1")
-        self.assertIn("degrees", panel.summary.text())
+        self.assertIn("\u00b0", panel.summary.text())
         self.assertRegex(" ".join(self.column(panel, RESULT)), "misses G1|G1 uncertain")
         whole_window("fill-left")
         click_row(panel.table, 0)

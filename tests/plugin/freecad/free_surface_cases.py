@@ -136,7 +136,7 @@ class Umbrellas(FreeSurfaceCase):
             self.assertLess(max(angle_along(*each) for each in found), 1e-4)
             for source in sources:
                 self.assertLess(distance_from(source.Shape, obj.Shape), 1e-9)
-            named = {seam["name"] for seam in report_of(obj)["seams"] if seam["side"] == "Spoke"}
+            named = {seam["name"] for seam in report_of(obj)["seams"] if seam["side"] == "Edge"}
             self.assertEqual(named, {"Edge %d" % number for number in range(1, 6)})
 
     def test_a_sector_stays_open(self):
@@ -247,7 +247,7 @@ class Umbrellas(FreeSurfaceCase):
                 kinds.create("Umbrella", [(box, names)])
         obj = kinds.create("Umbrella", [(box, at_corner)])
         self.assertWithout(obj, "the tangent of edge ")
-        self.assertIn("90 degrees out of the plane", obj.Summary)
+        self.assertIn("90\u00b0 out of the plane", obj.Summary)
         self.assertNotIn("rad ", obj.Summary)
 
 

@@ -186,6 +186,19 @@ class Deviations(unittest.TestCase):
         self.assertAlmostEqual(back["least"], exact, delta=0.2)  # between the points
         self.assertGreaterEqual(back["least"], exact - 1e-9)
 
+    def test_an_edge_that_two_faces_share_is_not_free_though_their_triangles_lie_apart(self):
+        box = Part.makeBox(10, 10, 10)
+        mesh = meshes.mesh_later(box)(None)
+        for place, face in enumerate(box.Faces):
+            first, last = mesh.first_nodes[place : place + 2]
+            mesh.points[first:last] -= 1e-4 * numpy.array(face.CenterOfMass - App.Vector(5, 5, 5))
+        points = numpy.array([[10.3, 10.3, 5.0], [-0.3, -0.3, 2.0], [5.0, 10.3, 10.3]])
+        found = distance.distances(points, [mesh], box.Faces, False)
+        self.assertLess(abs(found - 0.3 * math.sqrt(2)).max(), 1e-3)
+        self.assertTrue(numpy.isnan(distance.distances(points, [mesh], [
+            face.copy() for face in box.Faces
+        ], False)).all())
+
     def test_points_beyond_a_free_edge(self):
         large, small = Part.makePlane(30, 10), Part.makePlane(10, 10)
         large.Placement.Base.z = 2

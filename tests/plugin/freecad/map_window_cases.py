@@ -452,7 +452,7 @@ class Drawing(MapWindow):
         self.doc.recompute()
         settle(0.5)
         self.assertIn("Invalid", obj.State)
-        self.assertIn("The sources were deleted: select others", report_view()[len(said) :])
+        self.assertIn("the sources were deleted: select others", report_view()[len(said) :])
         self.assertNotIn("Traceback", report_view()[len(said) :])
         self.assertFalse(hasattr(sys, "tracebacklimit"))
         self.assertLess(self.legend("draft-deleted"), FEW)

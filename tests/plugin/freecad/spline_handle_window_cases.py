@@ -491,3 +491,24 @@ class Picks(SplineWindow):
         self.wait()
         self.assertEqual((len(obj.Points), obj.Sources), (6, []))
         self.cancel()
+
+
+class ClosedElsewhere(CurveWindow):
+    def test_a_panel_that_another_program_closes_gives_the_keys_back(self):
+        for chosen in ([], [self.points]):
+            obj, panel = self.start("Spline", *chosen)
+            if not chosen:
+                self.assertIsNotNone(panel.editor.picker)
+                key(QtCore.Qt.Key_Escape)
+                self.assertIsNone(panel.editor.picker)
+            Gui.Control.closeDialog()
+            settle(0.4)
+            self.assertIsNone(Gui.ActiveDocument.getInEdit())
+            self.assertEqual(bool(chosen), bool(self.made()))
+            self.assertTrue(panel.ended)
+            undo = QtGui.QKeyEvent(
+                QtCore.QEvent.ShortcutOverride, QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier
+            )
+            undo.ignore()
+            QtWidgets.QApplication.sendEvent(Gui.getMainWindow().windowHandle(), undo)
+            self.assertFalse(undo.isAccepted())

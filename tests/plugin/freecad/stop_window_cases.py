@@ -80,6 +80,7 @@ class Repairing(PanelWindow):
             pause(SHOWN_S)
             whole_window("stop-locked")
             self.assertFalse(any(part.isEnabled() for part in parts))
+            self.assertTrue(self.panel.max_move.isEnabled())
             self.assertTrue(self.panel.computation.line.isVisible())
             self.assertFalse(self.panel.accept())
             self.panel.computation.stop_button.click()

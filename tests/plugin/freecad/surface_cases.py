@@ -399,7 +399,7 @@ class Objects(SurfaceCase):
         obj.touch()
         self.doc.recompute()
         advice = "select others and press \u201cUse selection\u201d at \u201cEnd\u201d in the panel"
-        self.assertFailed(obj, "The edges of End were deleted: " + advice)
+        self.assertFailed(obj, "the edges of End were deleted: " + advice)
 
     def test_saved_surfaces_open_without_the_compiled_part(self):
         for make in (self.blend, self.extension):

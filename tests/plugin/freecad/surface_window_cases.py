@@ -37,6 +37,8 @@ from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.surfaces.view import COLOUR
 
+BALL = [round(255 * each) for each in HANDLE]
+
 
 class SurfaceWindow(PanelWindow):
     is_made = staticmethod(surface.is_surface)
@@ -199,6 +201,21 @@ class Panel(SurfaceWindow):
         self.cancel()
         self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
 
+    def test_a_surface_that_folds_over_is_a_warning(self):
+        far = models.add(self.doc, sheet(60, 40, 0.3), "Far")
+        self.doc.recompute()
+        obj, panel = self.start("BlendSurface", self.start_edge, (far, at_x(far, 60)))
+        self.assertEqual(panel.summary.styleSheet(), "")
+        for name in ("start_tension", "end_tension"):
+            self.set_field(panel, name, 5.0)
+        self.assertIn("but the surface folds over", panel.summary.text())
+        self.assertIn("color", panel.summary.styleSheet())
+        whole_window("surface-fold")
+        for name in ("start_tension", "end_tension"):
+            self.set_field(panel, name, 1.0)
+        self.assertEqual((panel.summary.text(), panel.summary.styleSheet()), (obj.Summary, ""))
+        self.cancel()
+
     def test_cancel_of_a_later_change_restores_the_values(self):
         obj, _ = self.blend()
         self.ok()
@@ -214,6 +231,29 @@ class Panel(SurfaceWindow):
             self.cancel()
             self.assertEqual((obj.StartOrder, obj.End), ("G2", [(self.high, (self.end_edge[1],))]))
             self.assertTrue(obj.Reached)
+
+    def test_cancel_and_the_undo_of_a_deletion_leave_no_mark_in_the_tree(self):
+        obj, panel = self.blend()
+        self.ok()
+        Gui.getDocument(self.doc.Name).setEdit(obj.Name)
+        settle()
+        self.set_field(obj.ViewObject.Proxy.panel, "start_order", "G1")
+        self.assertEqual(obj.StartOrder, "G1")
+        self.cancel()
+        self.assertEqual((obj.StartOrder, obj.State), ("G2", ["Up-to-date"]))
+        self.doc.openTransaction("Delete")
+        self.doc.removeObject(self.high.Name)
+        self.doc.recompute()
+        self.doc.commitTransaction()
+        settle()
+        self.assertIn("Invalid", obj.State)
+        self.doc.undo()
+        settle()
+        self.assertEqual((obj.State, self.doc.RedoCount), (["Up-to-date"], 1))
+        self.assertFalse(obj.Shape.isNull())
+        obj.StartOrder = "G1"
+        self.doc.recompute()
+        self.assertEqual(report_of(obj)["seams"][0]["target"], "G1")
 
     def test_a_tension_is_changed_by_its_handle(self):
         obj, panel = self.blend()
@@ -255,6 +295,7 @@ class Panel(SurfaceWindow):
         panel.zebra.setChecked(True)
         settle()
         self.assertEqual(set(zebra.objects(self.doc)), {obj, self.low, self.high})
+        self.assertGreater(count(picture("surface-stripes-balls"), BALL, reach=60), 50)
         whole_window("surface-stripes")
         self.set_field(panel, "start_order", "G1")
         settle()
@@ -346,8 +387,7 @@ class Keys(SurfaceWindow):
         Gui.activeDocument().activeView().viewTop()
         Gui.activeDocument().activeView().fitAll()
         settle()
-        ball = [round(255 * each) for each in HANDLE]
-        self.assertGreater(count(picture("handle-behind"), ball, reach=60), 50)
+        self.assertGreater(count(picture("handle-behind"), BALL, reach=60), 50)
         start, end = self.places(obj, 1, 2)
         self.grab(start, end)
         self.release(end)

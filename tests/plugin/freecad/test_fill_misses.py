@@ -63,6 +63,14 @@ def test_all_fills_are_allowed_or_none():
     assert allowed(fill(89.0)) == {}
 
 
+@pytest.mark.parametrize("curvature, found", ((0.3, {"curvature_rel": 0.3}), (1.0, {}), (1.1, {})))
+def test_a_curvature_that_differs_wholly_is_no_tolerance(curvature, found):
+    missed = fill(0.001)
+    missed["seams"][0]["curvature_rel"] = {"lower": curvature / 2, "upper": curvature}
+    report = {"target": "G2", "tolerance": LIMITS, "fills": [missed]}
+    assert fill_misses.allowed(report) == found
+
+
 def test_the_worst_point_of_a_seam():
     along = [
         {"points": [[0, 0, 0], [1, 0, 0]], "shares": [0.5, 2.0]},

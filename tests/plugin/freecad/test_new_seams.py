@@ -193,7 +193,7 @@ def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
     report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
     assert fill_text.summary_text(report) == (
         "Not filled: Hole 2: a seam between Face3 and the fill does not certainly reach G1: "
-        "level G0, angle 1 degrees."
+        "level G0, angle 1\u00b0."
     )
 
 
@@ -210,7 +210,7 @@ def test_a_fill_that_misses_says_what_it_needs():
         entry["seams"][1][name] = {"lower": 0.0, "upper": 1e-9, "at": 0.0}
     assert fill_text.allowing(entry, "G1") == {"gap_mm": 0.0003, "angle_deg": 0.19}
     report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
-    wanted = "The best fill needs an angle of 0.19\u00b0; Keep anyway keeps it."
+    wanted = "The best fill needs an angle tolerance of 0.19\u00b0; Keep anyway keeps it."
     assert fill_text.reasons(report)[0].endswith(wanted)
     for faulty in ({"reason_code": "may_fold"}, {"seams": [{"gap_mm": None}]}):
         assert fill_text.allowing({**entry, **faulty}, "G1") == {}

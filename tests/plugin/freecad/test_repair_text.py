@@ -145,7 +145,7 @@ def test_a_model_changes_also_where_no_face_moved():
     assert not repair_text.has_changed(repair_text.build_report(both, both, every, [], "G1", False))
     led = repair_text.build_report(both, both, every, [], "G1", False, 3)
     assert repair_text.has_changed(led)
-    assert "3 edges got new pcurves" in repair_text.summary_text(
+    assert "3 edges got new curves on their faces" in repair_text.summary_text(
         led
     ) and "nothing" not in repair_text.summary_text(led)
     sewn = repair_text.build_report(

@@ -123,3 +123,12 @@ def test_lengths_up_to_a_face_are_told_and_no_report_has_no_rows():
     text = surface_text.summary(report(MET, to={"least_mm": 10.1, "most_mm": 10.44}))
     assert text.endswith("9 x 6 poles; 10.1 to 10.4 mm long.")
     assert surface_text.build_rows({"reason": "no edge"}) == []
+
+
+def test_a_blend_that_folds_says_so_although_its_seams_have_their_level():
+    found = report(MET, fold={"distance_mm": 17.1745})
+    assert surface_text.folds(found) and not surface_text.folds(report(MET))
+    assert surface_text.summary({**found, **surface_text.largest(found["seams"])}).startswith(
+        "Every seam has its level, but the surface folds over 17.2 mm from the start; less "
+        "tension may help: gap"
+    )

@@ -289,6 +289,30 @@ class Panel(WindowCase):
             self.assertFalse(export_dialog.export_to(obj, os.path.join(folder, "no", "seams.csv")))
         self.assertIn("does not exist", messages()[0])
 
+    def test_close_asks_what_becomes_of_changed_values(self):
+        for answer, angle, closed in (
+            ("Cancel", 0.1, False), ("Discard the changes", 0.1, True),
+            ("Recompute and close", 3.0, True),
+        ):  # fmt: skip
+            with self.subTest(answer):
+                obj, panel = self.analyse()
+                panel.tolerances.fields["AngleTolerance"].setValue(3.0)
+                self.press(QtWidgets.QDialogButtonBox.Close)
+                (box,) = [
+                    each
+                    for each in QtWidgets.QApplication.topLevelWidgets()
+                    if isinstance(each, QtWidgets.QMessageBox) and each.isVisible()
+                ]
+                (button,) = [each for each in box.buttons() if each.text().strip("&") == answer]
+                button.click()
+                settle()
+                self.assertEqual(obj.AngleTolerance.Value, angle)
+                self.assertEqual(obj.ViewObject.Proxy.panel is None, closed)
+                Gui.getDocument(self.doc.Name).resetEdit()
+        obj, panel = self.analyse()
+        self.press(QtWidgets.QDialogButtonBox.Close)
+        self.assertIsNone(obj.ViewObject.Proxy.panel)
+
     def test_closing_the_panel_drops_selection_and_band(self):
         obj, panel = self.analyse()
         click_row(panel.seam_table.table, 0)

@@ -81,6 +81,9 @@ class Feature:
     #: The results of a computation in another thread, for the next recompute; see plan.Plan.
     ready = None
 
+    #: Whether the next recompute only tells FreeCAD that the object is as it should be.
+    is_kept = False
+
     # Methods that a subclass defines.
 
     @staticmethod
@@ -164,6 +167,8 @@ class Feature:
         Where the source cannot be used or the kernel is missing, FreeCAD also marks the object as
         invalid.
         """
+        if self.is_kept:
+            return
         module = kernel.load(Part.OCC_VERSION)
         try:
             report, *rest = self._results(module, obj)
@@ -209,6 +214,23 @@ class Feature:
     # FreeCAD before 0.21.2 calls these names.
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def clear_error(obj):
+    """Take FreeCAD's mark of an error away where an undo brought the results back.
+
+    The undo restores properties, but not the mark. No property changes, so that redo stays.
+    """
+    if getattr(obj, "Outcome", "") != DONE or "Invalid" not in obj.State:
+        return
+    obj.Proxy.is_kept = True
+    try:
+        obj.touch()
+        obj.recompute()
+    finally:
+        obj.Proxy.is_kept = False
+    if "Invalid" not in obj.State:
+        obj.purgeTouched()
 
 
 def is_of(obj, feature):

@@ -78,7 +78,7 @@ class ShapeFeature(OptionFeature):
         values = values_of(obj)
         if not chosen[cls.LINKS[0][0]] and cls.needs_sources(values):
             raise sources.SourceError(
-                tr("The sources were deleted: {advice}").format(advice=cls.advice("Sources"))
+                tr("the sources were deleted: {advice}").format(advice=cls.advice("Sources"))
             )
         cls.check_links(obj, chosen)
         options.checked(cls.OPTIONS, values)

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 from freecad.seamwright.document import analysis, preferences, properties
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import ink, messages
+from freecad.seamwright.gui.widgets.boxes import SpinBox
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
@@ -185,7 +186,7 @@ def _show_again():
 
 
 def _whole_number(preference):
-    field = QtWidgets.QSpinBox()
+    field = SpinBox()
     field.setRange(int(preference.least), int(preference.largest))
     return field
 

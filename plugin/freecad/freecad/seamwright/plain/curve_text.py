@@ -4,8 +4,12 @@
 import math
 
 from freecad.seamwright.plain.enclosure import number
-from freecad.seamwright.plain.language import tr
-from freecad.seamwright.plain.summary import counted
+from freecad.seamwright.plain.language import mark, tr
+from freecad.seamwright.plain.summary import capital, counted
+
+
+#: A weight that differs by less from 1, up to rounding, is that of a parabola.
+PARABOLA = 1e-9
 
 
 def bound(value):
@@ -41,10 +45,11 @@ def arcs_text(report):
         length_mm=number(report["length_mm"]),
         distance_mm=bound(report["distance_mm"]),
     )
+    text = capital(text)
     if not report["least_arcs"]:
         return text + tr(": the points are samples of these.")
-    return text + tr(" (proven); no chain has fewer than {least_arcs}.").format(
-        least_arcs=report["least_arcs"]
+    return text + tr(" (proven); at least {least_arcs} are needed.").format(
+        least_arcs=counted(report["least_arcs"], "arc")
     )
 
 
@@ -132,17 +137,32 @@ def conic_text(report):
         distance_mm=bound(distance_mm)
     )
     return tr(
-        "{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}."
+        "{conics}, {length_mm} mm long{jumps}{near}."
     ).format(
         near=near,
-        conics=counted(report["conics"], "conic"),
+        conics=_kind_of_conics(report),
         length_mm=number(report["length_mm"]),
-        least_weight=number(report["least_weight"]),
-        largest_weight=number(report["largest_weight"]),
         jumps=tr("; {joints} with a jump of the curvature").format(joints=counted(joints, "joint"))
         if joints
         else "",
     )
+
+
+def _kind_of_conics(report):
+    """ "A parabola", "An ellipse of weight 0.7", "3 conics of weights 0.5 to 1"."""
+    least, largest = report["least_weight"], report["largest_weight"]
+    if report["conics"] != 1:
+        return tr("{conics} of weights {least_weight} to {largest_weight}").format(
+            conics=counted(report["conics"], "conic"),
+            least_weight=number(least),
+            largest_weight=number(largest),
+        )
+    if abs(least - 1) <= PARABOLA:
+        return tr("A parabola")
+    kind = mark("A hyperbola of weight {weight}")
+    if least < 1:
+        kind = mark("An ellipse of weight {weight}")
+    return tr(kind).format(weight=number(least))
 
 
 def blend_text(report):
@@ -152,7 +172,7 @@ def blend_text(report):
         made = tr("Surface of {faces}").format(faces=counted(report["faces"], "face"))
     return tr(
         "{made} between {keys} curves, within {distance_mm} mm; joints keep up to G{order}, "
-        "{features} matched."
+        "{features} paired."
     ).format(
         made=made,
         keys=report["keys"],

@@ -19,6 +19,9 @@ RAMP = ((0.0, (240, 200, 60)), (0.5, (213, 94, 0)), (1.0, (110, 0, 30)))
 #: Faces that meet at a larger angle meet at an edge: no tolerance for tangent planes.
 EDGE_DEG = 5.0
 
+#: From this relative difference of curvature on, a tolerance would say nothing.
+MOST_CURVATURE_REL = 1.0
+
 #: A smaller tolerance counts as this one, so that shares stay finite.
 LEAST = 1e-9
 
@@ -90,7 +93,7 @@ def allowed(report):
     """Return {argument: value}: the tolerances with which all fills would be kept that were not.
 
     Only those are named that are larger than now; none where a fill has another fault, or where
-    faces would meet at an edge.
+    faces would meet at an edge or with curvatures that have nothing in common.
     """
     left = [fill for fill in report["fills"] if not fill["filled"]]
     needed = [fill_text.allowing(fill, report["target"]) for fill in left]
@@ -101,4 +104,8 @@ def allowed(report):
         wanted = max([0.0, *(each.get(name, 0.0) for each in needed)])
         if wanted > now:
             found[name] = wanted
-    return {} if found.get("angle_deg", 0.0) > EDGE_DEG else found
+    sensible = (
+        found.get("angle_deg", 0.0) <= EDGE_DEG
+        and found.get("curvature_rel", 0.0) < MOST_CURVATURE_REL
+    )
+    return found if sensible else {}

@@ -11,7 +11,15 @@ The numbers of faces and edges are those of the result; in reasons they are thos
 import math
 import re
 
-from freecad.seamwright.plain import enclosure, lengths, new_seams, repair_text, rows, summary
+from freecad.seamwright.plain import (
+    enclosure,
+    kernel_words,
+    lengths,
+    new_seams,
+    repair_text,
+    rows,
+    summary,
+)
 from freecad.seamwright.plain.language import mark, tr
 
 #: What a report says about the faces at a seam: two new ones, or a new one and a face by its name.
@@ -19,9 +27,9 @@ BESIDE, INSIDE = new_seams.BESIDE, mark("the fill itself")
 
 #: What has to be allowed for a fill that misses its target.
 ALLOWED = {
-    "gap_mm": mark("a gap of {figure} mm"),
-    "angle_deg": mark("an angle of {figure}\u00b0"),
-    "curvature_rel": mark("a curvature of {figure} %"),
+    "gap_mm": mark("a gap tolerance of {figure} mm"),
+    "angle_deg": mark("an angle tolerance of {figure}\u00b0"),
+    "curvature_rel": mark("a curvature tolerance of {figure} %"),
 }
 
 EMPTY_REPORT = {"target": "G1", "tolerance": {}, "fills": []}
@@ -126,7 +134,7 @@ def _readable(text):
     """Return a sentence of the kernel with names of elements and numbers of three digits."""
     return re.sub(
         r"\b\d+\.(\d{4,}|\d+e-?\d+)\b", lambda found: enclosure.number(float(found.group())),
-        repair_text.named(text),
+        kernel_words.with_degree_signs(repair_text.named(text)),
     )  # fmt: skip
 
 

@@ -27,7 +27,7 @@ def in_words(text, labels=None):
         text = re.sub(LIMIT, lambda found: "%s %s" % (found[1], _degrees(found[2])), text)
     elif "curvature_rel = " in text:
         text = re.sub(LIMIT, lambda found: "%s %s" % (found[1], _percent(found[2])), text)
-    text = re.sub(r"\w+_rad = %s \((%s) degrees\)" % (NUMBER, NUMBER), r"\1 degrees", text)
+    text = re.sub(r"\w+_rad = %s \((%s) degrees\)" % (NUMBER, NUMBER), "\\1\u00b0", text)
     text = re.sub(r"\w+_rad = (%s)" % NUMBER, lambda found: _degrees(found[1]), text)
     text = re.sub(r"\b(%s) rad\b" % NUMBER, lambda found: _degrees(found[1]), text)
     text = re.sub(
@@ -38,6 +38,7 @@ def in_words(text, labels=None):
     text = re.sub(r"gap_mm = (%s)" % NUMBER, r"a gap of \1 mm", text)
     text = re.sub(r"(a gap of .*?), (%s) is possible" % NUMBER, r"\1, \2 mm is possible", text)
     named = {**WORDS, **(labels or {})}
+    text = with_degree_signs(text)
     return re.sub(
         r"\b(\w+) (?=is %s)" % NUMBER,
         lambda found: "\u201c%s\u201d " % tr(named[found[1]]) if found[1] in named else found[0],
@@ -45,8 +46,13 @@ def in_words(text, labels=None):
     )
 
 
+def with_degree_signs(text):
+    """Return a sentence that says 5° instead of 5 degrees, as the fields do."""
+    return re.sub(r"\b(%s) degrees?\b" % NUMBER, "\\1\u00b0", text)
+
+
 def _degrees(number):
-    return "%.3g degrees" % math.degrees(float(number))
+    return "%.3g\u00b0" % math.degrees(float(number))
 
 
 def _percent(number):

@@ -162,7 +162,7 @@ def summary_text(report):
             moved=moved, largest_move_mm=enclosure.number(largest_move_mm(report))
         ))
     if report["edges_led"]:
-        parts.append(tr("{edges_led} got new pcurves").format(
+        parts.append(tr("{edges_led} got new curves on their faces").format(
             edges_led=summary.counted(report["edges_led"], "edge")
         ))
     if report["sewn"]:

@@ -114,6 +114,11 @@ def counted(number, noun):
     return tr(none if not number else one if number == 1 else several).format(count=number)
 
 
+def capital(text):
+    """Return a text that begins a sentence."""
+    return text[:1].upper() + text[1:]
+
+
 def facts(report):
     """Return {property of a Seam Analysis: value} of a report; the Summary is the last."""
     counts = class_counts(report)

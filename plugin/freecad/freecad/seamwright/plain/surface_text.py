@@ -123,6 +123,9 @@ def summary(report):
     poles = tr("{along} x {across} poles").format(along=along, across=across)
     figures = ", ".join(_decided(report["seams"]))
     state = tr("Every seam has its level") if report["reached"] else _shortcomings(report)
+    if report["reached"] and folds(report):
+        state += tr(", but the surface folds over {distance_mm} mm from the start; less tension "
+                    "may help").format(distance_mm=enclosure.number(report["fold"]["distance_mm"]))
     length = ""
     if report["to"]:
         length = tr("; {least_mm} to {most_mm} mm long").format(
@@ -130,6 +133,11 @@ def summary(report):
             most_mm=enclosure.number(report["to"]["most_mm"]),
         )
     return "%s: %s; %s%s." % (state, figures, poles, length)
+
+
+def folds(report):
+    """Return whether the report of a surface says that it turns over somewhere."""
+    return bool(report.get("fold"))
 
 
 def umbrella_summary(report):

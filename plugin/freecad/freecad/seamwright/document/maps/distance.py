@@ -70,7 +70,7 @@ def _measured(points, joined, faces, beyond_edges, progress):
     result = numpy.where(outside, found.distances, -found.distances)
     face_of = numpy.searchsorted(first_nodes, nodes[:, 0], side="right") - 1
     sizes = numpy.linalg.norm(numpy.ptp(corners, axis=1), axis=1)[found.triangles]
-    beyond = _beyond(triangles, mesh["points"], found)
+    beyond = _beyond(triangles, mesh["points"], found) & _with_free_edge(faces)[face_of]
     surfaces = [_Surface(face) for face in faces]
     flat = numpy.array([surface.flat for surface in surfaces])[face_of]  # triangles are exact there
     steps = numpy.flatnonzero(beyond | ~flat)
@@ -117,6 +117,27 @@ def _beyond(triangles, points, found):
     free = (counts == 1)[index.ravel()].reshape(-1, 3)
     at_side = found.weights < ON_SIDE  # weight k is zero on side k
     return (at_side & free[found.triangles]).any(axis=1) & (found.distances > 1e3 * cell)
+
+
+def _with_free_edge(faces):
+    """Return for each face whether it has an edge that no other face shares.
+
+    Along the other edges, triangles of two faces may lie apart by a gap within the tolerances.
+    """
+    owners = {}
+    for place, face in enumerate(faces):
+        for edge in face.Edges:
+            alike = owners.setdefault(edge.hashCode(), [])
+            known = next((places for other, places in alike if other.isSame(edge)), None)
+            if known is None:
+                alike.append((edge, [place]))
+            else:
+                known.append(place)
+    found = numpy.zeros(len(faces), bool)
+    for edge, places in (entry for alike in owners.values() for entry in alike):
+        if len(places) == 1 and not edge.Degenerated and not edge.isSeam(faces[places[0]]):
+            found[places[0]] = True
+    return found
 
 
 class _Surface:

@@ -133,7 +133,7 @@ class Tool(OptionFeature):
         for name in inputs:
             if not inputs[name]:
                 raise sources.SourceError(
-                    tr("The sources were deleted: {advice}").format(advice=cls.advice(name))
+                    tr("the sources were deleted: {advice}").format(advice=cls.advice(name))
                 )
         return cls.work(inputs, values), values
 

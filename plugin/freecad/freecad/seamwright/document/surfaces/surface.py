@@ -96,7 +96,7 @@ class Surface(OptionFeature):
         for name in cls.REQUIRED:
             if not chosen[name]:
                 raise sources.SourceError(
-                    tr("The edges of {name} were deleted: {advice}").format(
+                    tr("the edges of {name} were deleted: {advice}").format(
                         name=tr(name), advice=cls.advice(name)
                     )
                 )

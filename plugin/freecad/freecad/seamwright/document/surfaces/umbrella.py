@@ -285,7 +285,8 @@ def _with_edges(text, numbers):
         return "edge " + " to ".join(numbered)
 
     text = re.sub(r"sector \d+, from spoke (\d+) to (\d+)", r"the sector from spoke \1 to \2", text)
-    return re.sub(r"\bspoke (\d+)(?: to (\d+))?", edge, text)
+    text = re.sub(r"\bspoke (\d+)(?: to (\d+))?", edge, text)
+    return re.sub(r"\bspoke(s?)\b", r"edge\1", text)
 
 
 def _common_ends(edges, gap_mm):
@@ -346,4 +347,4 @@ def _named(seam, shape, spokes, numbers):
     place = int(numpy.argmin(distances))
     along = distances[place] <= 1e-6 * max(1.0, edge.Length)
     name = "Edge %d" % numbers[place] if along else mark("inside a face")
-    return {**seam, "side": mark("Spoke") if along else mark("Face"), "name": name}
+    return {**seam, "side": mark("Edge") if along else mark("Face"), "name": name}

@@ -2,6 +2,7 @@
 """The fields for what the view shows of an analysis, besides the filter of the table."""
 
 from freecad.seamwright.gui.scene import seam_view
+from freecad.seamwright.gui.widgets.boxes import ComboBox, SpinBox
 from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import summary
@@ -26,7 +27,7 @@ class LookForm(QtWidgets.QWidget):
 
     def __init__(self):
         super().__init__()
-        self.colours, self.labels = QtWidgets.QComboBox(), QtWidgets.QSpinBox()
+        self.colours, self.labels = ComboBox(), SpinBox()
         for name in summary.COLOURS:
             self.colours.addItem(tr(name), name)
         self.colours.setToolTip(tr("What the colours of the seams in the view show"))

@@ -74,11 +74,31 @@ class AnalysisPanel:
         widen_dock(self.form, DOCK_WIDTH)
 
     def reject(self):
-        """Stop a running computation; without one, close the panel."""
+        """Stop a running computation; without one, close the panel.
+
+        Where values were changed since the last computation, ask whether to use them.
+        """
         if self.computation.stop():
             return self._name is None
+        if self.tolerances.differs_from(self.obj):
+            messages.ask(
+                tr("Values were changed, but the seams were not analysed with them."),
+                tr("Recompute and close"),
+                tr("Discard the changes"),
+                self._close,
+            )
+            return False
         Gui.getDocument(self._doc.Name).resetEdit()
         return True
+
+    def _close(self, recompute):
+        """Close the panel, after a computation with the values of the fields if that is wanted."""
+        if self.obj.ViewObject.Proxy.panel is not self:
+            return
+        if recompute:
+            self._measure(then=lambda: self._close(False))
+        else:
+            Gui.getDocument(self._doc.Name).resetEdit()
 
     # The window.
 
@@ -182,7 +202,7 @@ class AnalysisPanel:
     def _state(self):
         return self.obj.Report, self.obj.Summary, analysis.error_text(self.obj)
 
-    def _measure(self):
+    def _measure(self, then=None):
         try:
             plan = Plan(self.obj, self.tolerances.values())
         except kernel.KernelUnavailable as error:
@@ -207,6 +227,8 @@ class AnalysisPanel:
             self.refresh()
             if again:
                 self._match(proposal)
+            elif then is not None:
+                then()
 
         self.computation.follow(plan, keep, self._abandoned)
 

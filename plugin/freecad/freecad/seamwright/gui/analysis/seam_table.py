@@ -3,6 +3,7 @@
 
 from freecad.seamwright.gui.analysis.table_model import SeamTableModel
 from freecad.seamwright.gui.analysis.table_view import SeamTableView
+from freecad.seamwright.gui.widgets.boxes import ComboBox
 from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain import filters, palette, rows
@@ -35,7 +36,7 @@ class SeamTable(QtWidgets.QWidget):
     def _build_filter(self):
         line = FlowLayout()
         line.add(QtWidgets.QLabel(tr("Show")))
-        self.filter = QtWidgets.QComboBox()
+        self.filter = ComboBox()
         self.filter.setToolTip(tr("The seams in the table and in the view"))
         for name, wanted in filters.FILTERS.items():
             self.filter.addItem(tr(name), wanted)

@@ -17,6 +17,7 @@ from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.handle import Handle
 from freecad.seamwright.gui.scene.preselection import Preselection
+from freecad.seamwright.gui.scene.substitutes import first_index
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.fields import OptionForm
@@ -211,7 +212,7 @@ class OptionPanel(ResultPanel):
                 continue  # the user holds it
             if argument not in self._handles:
                 self._handles[argument] = Handle()
-                root.addChild(self._handles[argument].node)
+                root.insertChild(self._handles[argument].node, first_index(self.obj))
             size = self.obj.Shape.BoundBox.DiagonalLength
             self._handles[argument].show(origin, step, field.value(), size)
         for argument in [each for each in self._handles if each not in places]:

@@ -3,6 +3,7 @@
 
 import FreeCADGui as Gui
 
+from freecad.seamwright.document import feature
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.scene.halo import Halo
 from freecad.seamwright.gui.scene.marker import Marker
@@ -48,6 +49,8 @@ class PanelView:
         if self.panel is not None and not self._follows:
             self._follows = True
             later(obj, self._reload)
+        if prop == "Outcome" and "Invalid" in obj.State:
+            later(obj, feature.clear_error)
 
     def _reload(self, obj):
         self._follows = False

@@ -14,7 +14,7 @@ from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.forms import buttons
 from freecad.seamwright.gui.widgets.keys import PanelKeys
-from freecad.seamwright.gui.widgets.later import later
+from freecad.seamwright.gui.widgets.later import find, later, later_named
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove, step
 from freecad.seamwright.plain import kernel
@@ -44,12 +44,13 @@ class ResultPanel:
         self.obj = obj
         self._created = created
         self._doc = obj.Document
-        self._name = obj.Name
+        self._name, self._doc_name = obj.Name, obj.Document.Name
         self._kept = {name: getattr(obj, name) for name in changeable}
         self._kept_expressions = expressions.expressions(obj)
         self._ended = False
         self._edits = self._computed_edits = 0
         self._seen = self._state()
+        self._touched = [each.Name for each in self._followers() if "Touched" in each.State]
         self._hidden = [
             each.Name
             for each in self.replaced()
@@ -125,6 +126,19 @@ class ResultPanel:
         """Make the dock that holds the panel wide enough for it, and take its keys."""
         widen_dock(self.form, self.DOCK_WIDTH)
         PanelKeys(self)
+        self.form.destroyed.connect(lambda *_: self._closed())
+
+    def _closed(self):
+        """Another program closed the dialog, which FreeCAD does not tell: end the editing."""
+        if self._ended or find(self._doc_name, self._name) is None:
+            return
+        self._end()
+
+        def end_editing(obj):
+            self._settle()
+            Gui.getDocument(obj.Document.Name).resetEdit()
+
+        later_named(self._doc_name, self._name, end_editing)
 
     def accept(self):
         """Keep the result; compute it first where that is due.
@@ -157,6 +171,7 @@ class ResultPanel:
         replaced = self.replaced()
         if self._doc.HasPendingTransaction:
             self._doc.abortTransaction()
+            self._forget_touches()
         elif not self._created:
             with step(self._doc, tr("Restore")):
                 expressions.bind(self.obj, self._kept_expressions)
@@ -172,6 +187,17 @@ class ResultPanel:
         Gui.getDocument(self._doc.Name).resetEdit()
         return True
 
+    def _followers(self):
+        return [self.obj, *self.obj.InListRecursive]
+
+    def _forget_touches(self):
+        """Let all that is again as before the panel count as up to date, if it did then."""
+        if self._doc.getObject(self._name) is None:
+            return
+        for each in self._followers():
+            if "Touched" in each.State and each.Name not in self._touched:
+                each.purgeTouched()
+
     def leave(self):
         """The panel closes, by OK, by Cancel or because FreeCAD ends the editing.
 
@@ -180,6 +206,9 @@ class ResultPanel:
         if self._ended:
             return
         self._end()
+        self._settle()
+
+    def _settle(self):
         self._doc.commitTransaction()
         if self._created and not self.obj.Outcome:
             later(self.obj, lambda obj: remove(obj.Document, obj.Name))

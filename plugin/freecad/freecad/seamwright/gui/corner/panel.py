@@ -6,7 +6,7 @@ from freecad.seamwright.document.plan import Values
 from freecad.seamwright.gui.base.new_seams_panel import NewSeamsPanel
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
-from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import corner_text, lengths
 from freecad.seamwright.plain.language import mark, tr
 
@@ -31,6 +31,8 @@ class CornerPanel(NewSeamsPanel):
         self.edges = QtWidgets.QTableWidget(0, len(HEADINGS))
         self.edges.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.edges.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
+        self.edges.setFocusPolicy(QtCore.Qt.NoFocus)  # its fields have it, and so the keys
+        self.edges.setTabKeyNavigation(False)
         self.edges.verticalHeader().hide()
         header = self.edges.horizontalHeader()
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
@@ -78,6 +80,7 @@ class CornerPanel(NewSeamsPanel):
             height = self.edges.verticalHeader().defaultSectionSize()
             self.edges.setFixedHeight((1 + min(LINES, max(1, len(edges)))) * height + 4)
             self.fields = {column: self._fields(column) for column in (RADIUS, SETBACK)}
+            self._order_fields()
         self._describe_edges()
 
     def suit_parts(self):
@@ -101,6 +104,12 @@ class CornerPanel(NewSeamsPanel):
             field.valueChanged.connect(self.changed)
             self.edges.setCellWidget(line, column, field)
         return fields
+
+    def _order_fields(self):
+        """Let Tab go through the fields line by line."""
+        order = [field for line in zip(*self.fields.values()) for field in line]
+        for field, following in zip(order, order[1:]):
+            QtWidgets.QWidget.setTabOrder(field, following)
 
     def _describe_edges(self):
         """Write what is known about the edges.

@@ -7,6 +7,7 @@ from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
 from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.widgets import messages
+from freecad.seamwright.gui.widgets.boxes import SpinBox
 from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_text
 from freecad.seamwright.gui.widgets.number_field import LENGTH, PLAIN, NumberField
@@ -51,7 +52,7 @@ class CurvePanel(OptionPanel):
         self.comb_scale = NumberField(PLAIN, 100.0, 0.01, refer_to=self.obj)
         self.comb_scale.setMinimumWidth(LEAST_WIDTH // 2)
         self.comb_scale.setToolTip(tr("Length of the lines of the comb"))
-        self.comb_lines = QtWidgets.QSpinBox()
+        self.comb_lines = SpinBox()
         self.comb_lines.setRange(int(COMB_LINES.least), int(COMB_LINES.largest))
         self.comb_lines.setSuffix(" " + tr("lines"))
         self.comb_lines.setToolTip(tr("Number of lines of the comb"))

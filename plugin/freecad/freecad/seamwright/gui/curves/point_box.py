@@ -10,7 +10,7 @@ from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import spline_handles
 from freecad.seamwright.plain.language import mark, tr
-from freecad.seamwright.plain.summary import counted
+from freecad.seamwright.plain.summary import capital, counted
 
 HOW_TO_PICK = mark(
     "Click adds a point, at a vertex or on the grid; Ctrl: free. Backspace removes the last point, "
@@ -96,7 +96,7 @@ class PointBox(QtWidgets.QGroupBox):
             place = ": (%s)" % ", ".join("%.6g" % each for each in point)
             place += {"grid": tr(", on the grid"), "free": "", "": ""}.get(what, ", " + what)
         self.picked.setText(tr("{points}{place}. {how}").format(
-            points=counted(count, "point"), place=place, how=tr(HOW_TO_PICK)
+            points=capital(counted(count, "point")), place=place, how=tr(HOW_TO_PICK)
         ))
 
 

@@ -15,8 +15,8 @@ from freecad.seamwright.document.properties import DONE
 from freecad.seamwright.gui.base.option_panel import OptionPanel
 from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.maps.plot import Line, Plot
+from freecad.seamwright.gui.widgets.boxes import ComboBox
 from freecad.seamwright.gui.widgets.forms import make_box, make_text
-from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import seam_text
 from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.ramps import figure
@@ -61,7 +61,7 @@ class ToolPanel(OptionPanel):
         return box
 
     def _build_plot(self, layout):
-        self.figure, self.plot, self.reading = QtWidgets.QComboBox(), Plot(), make_text()
+        self.figure, self.plot, self.reading = ComboBox(), Plot(), make_text()
         self.figure.addItems([tr(name) for _, name, *_ in seam_text.FIGURES])
         self.figure.setCurrentIndex(1)
         self.figure.setToolTip(tr("What is plotted along the seam"))

@@ -9,6 +9,7 @@ from freecad.seamwright.gui.base.picked import picked_on
 from freecad.seamwright.gui.base.preview_panel import PreviewPanel
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.surface_colours import CURVATURE, ZEBRA, SurfaceColours
+from freecad.seamwright.gui.widgets.boxes import ComboBox
 from freecad.seamwright.gui.widgets.element_list import ElementList
 from freecad.seamwright.gui.widgets.forms import make_box, make_text
 from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
@@ -75,7 +76,7 @@ class RepairPanel(PreviewPanel):
 
     def build_boxes(self):
         """Return the boxes of the seams and of target and limits."""
-        self.colours = QtWidgets.QComboBox()
+        self.colours = ComboBox()
         for index, (name, tip) in enumerate(COLOURS):
             self.colours.addItem(tr(name), name)
             self.colours.setItemData(index, tr(tip), QtCore.Qt.ToolTipRole)

@@ -51,7 +51,7 @@ class Substitutes:
         switch.setName(NAME)
         switch.addChild(node)
         switch.addChild(stripes.unseen())
-        root.insertChild(switch, _first_index(root, obj.ViewObject.SwitchNode))
+        root.insertChild(switch, first_index(obj))
         self._shown[key(obj)] = (root, switch)
         self.follow_visibility(obj)
 
@@ -100,12 +100,13 @@ def key(obj):
     return obj.Document.Name, obj.Name
 
 
-def _first_index(root, own):
-    """Return the index at which a substitute is inserted.
+def first_index(obj):
+    """Return the index at which a substitute is inserted into the root of an object's view.
 
     It comes before all other substitutes, since the first hides all that follows, and before the
-    object's own nodes.
+    object's own nodes. What is inserted there otherwise is seen beside substitutes.
     """
+    root, own = obj.ViewObject.RootNode, obj.ViewObject.SwitchNode
     others = [
         index
         for index in range(root.getNumChildren())

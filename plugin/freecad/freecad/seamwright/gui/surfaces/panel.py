@@ -79,9 +79,16 @@ class SurfacePanel(OptionPanel):
         """Raise SourceError or ValueError where a property cannot have these links."""
         self.obj.Proxy.check(name, chosen)
 
+    def say(self, text):
+        """Show this text as the result."""
+        self.summary.setStyleSheet("")
+        super().say(text)
+
     def refresh(self):
-        """Show the results as they are stored now."""
+        """Show the results as they are stored now; a fold in the colour of what is not reached."""
         super().refresh()
+        if surface_text.folds(report_of(self.obj)):
+            self.summary.setStyleSheet("color: %s" % ink.ink(ink.BAD, self.summary).name())
         self._rows = built = surface_text.build_rows(report_of(self.obj))
         name_columns(self.table, surface_text.COLUMNS)
         self.table.clearSelection()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The computations of a task panel, one at a time, with a progress bar and a stop button.
 
-The panel is locked meanwhile.
+Fields stay enabled, so that a value can be typed while the panel computes; all else is locked.
 """
 
 import traceback
@@ -10,12 +10,18 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.seamwright.gui.widgets.dock import dock_of
+from freecad.seamwright.gui.widgets.fields import OptionForm
+from freecad.seamwright.gui.widgets.number_field import Bindable
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.tasks import tasks
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain.language import mark, tr
 
-#: Shorter computations do not lock the panel, since it would flicker and a field would lose focus.
+#: Shorter computations do not lock the panel, since it would flicker.
 LOCK_AFTER_MS = 300
+
+#: Parts of a panel that hold one of these stay enabled.
+FIELDS = (OptionForm, ToleranceForm, Bindable)
 
 STEPS = 1000
 
@@ -23,11 +29,12 @@ CANCELLED = mark("Cancelled")
 CHANGED = mark("The model was changed during the computation")
 
 
-class _Escape(QtCore.QObject):
+class _Keys(QtCore.QObject):
     """Lets Esc stop a computation wherever the key is pressed in the window.
 
     The window does not get this key event. Otherwise the view would end the editing, both when the
-    key is pressed and when it is released.
+    key is pressed and when it is released. Letters and digits that are typed on the button Stop,
+    which has the focus of a locked part, are no shortcuts of FreeCAD.
     """
 
     def __init__(self, computation, parent):
@@ -37,6 +44,11 @@ class _Escape(QtCore.QObject):
 
     def eventFilter(self, window, event):
         """Return whether the event ends here."""
+        if event.type() == QtCore.QEvent.ShortcutOverride:
+            typed = bool(event.text().strip()) and self._computation.stop_button.hasFocus()
+            if typed:
+                event.accept()
+            return typed
         if event.type() not in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
             return False
         if event.key() != QtCore.Qt.Key_Escape:
@@ -57,10 +69,11 @@ class Computation:
         """``form``: the widget of the panel; the progress line is added to its layout."""
         self._form = form
         self._task = self._stopped = None
-        self._locks = True
+        self._locks, self._ok_is_off = True, False
         self._locked, self._focus = [], None
         self._build()
-        Gui.getMainWindow().windowHandle().installEventFilter(_Escape(self, self.line))
+        Gui.getMainWindow().windowHandle().installEventFilter(_Keys(self, self.line))
+        form.destroyed.connect(lambda *_: self._abandon())
         self._timer = QtCore.QTimer(self.line)
         self._timer.setInterval(LOCK_AFTER_MS)
         self._timer.timeout.connect(self.show)
@@ -146,15 +159,23 @@ class Computation:
             self._task.cancel()
             self._end()
 
+    def _abandon(self):
+        """Stop, since the panel and its widgets are gone."""
+        if self._task is not None:
+            self._task.cancel()
+        self._task = self._stopped = None
+        self._timer.stop()
+
     def _end(self):
         self._task = self._stopped = None
         self._timer.stop()
+        stopping = self.stop_button.hasFocus()  # the user did not go to a field meanwhile
         self.line.hide()
-        if self._locked:
+        if self._ok_is_off:
             self._enable_ok(True)
         for widget in self._locked:
             widget.setEnabled(True)
-        if self._focus is not None:
+        if self._focus is not None and stopping:
             self._focus.setFocus()
         self._locked, self._focus = [], None
 
@@ -166,6 +187,8 @@ class Computation:
             self.line.show()
             if self._focus is not None:
                 self.stop_button.setFocus()  # so that the panel still gets Esc
+        if self._locks:
+            self._enable_ok(False)  # FreeCAD makes the button after the panel
         self.bar.setValue(int(self._task.fraction * STEPS))
 
     def _lock(self):
@@ -173,10 +196,9 @@ class Computation:
         parts = [
             each for each in children if each.parentWidget() == self._form and each != self.line
         ]
-        self._locked = [each for each in parts if each.isEnabled()]
-        self._enable_ok(False)
+        self._locked = [each for each in parts if each.isEnabled() and not _holds_field(each)]
         focus = QtWidgets.QApplication.focusWidget()
-        self._focus = focus if focus is not None and self._form.isAncestorOf(focus) else None
+        self._focus = focus if any(_is_in(focus, each) for each in self._locked) else None
         for widget in self._locked:
             widget.setEnabled(False)
 
@@ -185,8 +207,17 @@ class Computation:
 
         The button is not stored, since FreeCAD deletes it without PySide noticing.
         """
+        self._ok_is_off = not enabled
         dock = dock_of(self._form)
         for box in dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ():
             ok = box.button(QtWidgets.QDialogButtonBox.Ok)
             if ok is not None:
                 ok.setEnabled(enabled)
+
+
+def _holds_field(part):
+    return any(isinstance(each, FIELDS) for each in (part, *part.findChildren(QtWidgets.QWidget)))
+
+
+def _is_in(widget, part):
+    return widget is not None and (widget is part or part.isAncestorOf(widget))

@@ -5,6 +5,7 @@ import re
 
 from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets import ink
+from freecad.seamwright.gui.widgets.boxes import ComboBox
 from freecad.seamwright.gui.widgets.forms import Label
 from freecad.seamwright.gui.widgets.number_field import (
     ANGLE,
@@ -127,7 +128,7 @@ class ChoiceField(Field):
     """One of several texts."""
 
     def _make(self, obj):
-        widget = QtWidgets.QComboBox()
+        widget = ComboBox()
         for choice in self.option.choices:
             widget.addItem(tr(choice), choice)
         widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)

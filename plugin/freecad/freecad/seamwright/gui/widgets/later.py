@@ -17,13 +17,17 @@ def find(doc_name, name):
 
 def later(obj, act):
     """Call ``act(obj)`` after FreeCAD has drawn or opened, if the object still exists then."""
-    names = obj.Document.Name, obj.Name
+    later_named(obj.Document.Name, obj.Name, act)
+
+
+def later_named(doc_name, name, act):
+    """Call ``act`` as ``later`` does, with the object of that name."""
 
     def act_if_there():
         if not documents_rest():
             QtCore.QTimer.singleShot(AGAIN_MS, act_if_there)
             return
-        found = find(*names)
+        found = find(doc_name, name)
         if found is not None:
             act(found)
 

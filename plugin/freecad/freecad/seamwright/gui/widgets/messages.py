@@ -36,3 +36,25 @@ def _show(icon, text):
     box = QtWidgets.QMessageBox(icon, TITLE, text, QtWidgets.QMessageBox.Ok, Gui.getMainWindow())
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()
+
+
+def ask(text, yes, no, answered):
+    """Ask a question; ``answered(yes)`` is called with whether the answer was the text ``yes``.
+
+    With Cancel nothing is called.
+    """
+    box = QtWidgets.QMessageBox(
+        QtWidgets.QMessageBox.Question, TITLE, text, QtWidgets.QMessageBox.Cancel,
+        Gui.getMainWindow(),
+    )  # fmt: skip
+    buttons = {
+        box.addButton(yes, QtWidgets.QMessageBox.AcceptRole): True,
+        box.addButton(no, QtWidgets.QMessageBox.DestructiveRole): False,
+    }
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    for button, is_yes in buttons.items():
+        button.clicked.connect(
+            lambda *_, is_yes=is_yes: QtCore.QTimer.singleShot(0, lambda: answered(is_yes))
+        )
+    box.setDefaultButton(next(iter(buttons)))
+    box.open()

@@ -9,6 +9,7 @@ import FreeCAD as App
 
 from freecad.seamwright.document import expressions, units
 from freecad.seamwright.gui.widgets.binding import Binding
+from freecad.seamwright.gui.widgets.boxes import DoubleSpinBox, SpinBox
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 
@@ -54,7 +55,7 @@ class Bindable:
         return not self.is_bound
 
 
-class CountBox(Bindable, QtWidgets.QSpinBox):
+class CountBox(Bindable, SpinBox):
     """A whole number."""
 
     unit = PLAIN
@@ -68,7 +69,7 @@ class CountBox(Bindable, QtWidgets.QSpinBox):
         self.setValue(value)
 
 
-class NumberField(Bindable, QtWidgets.QDoubleSpinBox):
+class NumberField(Bindable, DoubleSpinBox):
     """``number`` is in mm or degrees. The text has any unit, or a formula such as 2 * 5 um.
 
     With an object, it may also be an expression that names what FreeCAD finds from there, such as

@@ -2,6 +2,7 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import properties
+from freecad.seamwright.gui.widgets.boxes import ComboBox
 from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PERCENT, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
@@ -46,7 +47,7 @@ class ToleranceForm(QtWidgets.QWidget):
         layout = QtWidgets.QFormLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-        self.level = QtWidgets.QComboBox()
+        self.level = ComboBox()
         self.level.addItems(levels)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
         profile = self._build_profile()
@@ -75,7 +76,7 @@ class ToleranceForm(QtWidgets.QWidget):
             layout.addRow(tr(label), field)
 
     def _build_profile(self):
-        self.profile = QtWidgets.QComboBox()
+        self.profile = ComboBox()
         for name in profiles.PROFILES:
             self.profile.addItem(tr(profiles.LABELS[name][0]), name)
             tip = profiles.tip(name)

@@ -981,8 +981,8 @@ Shown: {show}</source>
 Gezeigt: {show}</translation>
     </message>
     <message>
-        <source> (proven); no chain has fewer than {least_arcs}.</source>
-        <translation> (bewiesen); keine Folge hat weniger als {least_arcs}.</translation>
+        <source> (proven); at least {least_arcs} are needed.</source>
+        <translation> (bewiesen); mindestens {least_arcs} sind nötig.</translation>
     </message>
     <message>
         <source> ({share} % less)</source>
@@ -1031,6 +1031,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>, at most {distance_mm} mm from the spiral</source>
         <translation>, höchstens {distance_mm} mm von der Spirale</translation>
+    </message>
+    <message>
+        <source>, but the surface folds over {distance_mm} mm from the start; less tension may help</source>
+        <translation>, aber die Fläche faltet sich {distance_mm} mm vom Anfang; weniger Spannung kann helfen</translation>
     </message>
     <message>
         <source>, curvature at most {curvature_rel} %</source>
@@ -1117,6 +1121,14 @@ Gezeigt: {show}</translation>
         <translation>Ein Klick wählt sie in der Ansicht aus</translation>
     </message>
     <message>
+        <source>A hyperbola of weight {weight}</source>
+        <translation>Eine Hyperbel mit Gewicht {weight}</translation>
+    </message>
+    <message>
+        <source>A parabola</source>
+        <translation>Eine Parabel</translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation>Fügt eine Skizze aus Bögen und Strecken nahe der ebenen Kurve hinzu, wie sie jetzt ist; die Skizze folgt den Quellen nicht</translation>
     </message>
@@ -1167,6 +1179,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Also draw the comb of the edges from which the curve is made</source>
         <translation>Auch den Kamm der Kanten zeichnen, aus denen die Kurve entsteht</translation>
+    </message>
+    <message>
+        <source>An ellipse of weight {weight}</source>
+        <translation>Eine Ellipse mit Gewicht {weight}</translation>
     </message>
     <message>
         <source>Analysing seams…</source>
@@ -1535,6 +1551,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Direction of the stripes</source>
         <translation>Richtung der Streifen</translation>
+    </message>
+    <message>
+        <source>Discard the changes</source>
+        <translation>Änderungen verwerfen</translation>
     </message>
     <message>
         <source>Distance from the vertex at which the fillet ends</source>
@@ -2357,6 +2377,10 @@ Gezeigt: {show}</translation>
         <translation>Neu berechnen (Werte wurden geändert)</translation>
     </message>
     <message>
+        <source>Recompute and close</source>
+        <translation>Neu berechnen und schließen</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
     </message>
@@ -2605,10 +2629,6 @@ Gezeigt: {show}</translation>
         <translation>Spline durch Punkte</translation>
     </message>
     <message>
-        <source>Spoke</source>
-        <translation>Speiche</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Anfang</translation>
     </message>
@@ -2729,10 +2749,6 @@ Gezeigt: {show}</translation>
         <translation>Die Kante oder die Kanten der Naht</translation>
     </message>
     <message>
-        <source>The edges of {name} were deleted: {advice}</source>
-        <translation>Die Kanten von {name} wurden gelöscht: {advice}</translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation>Die Flächen, wie sie im Dokument aussehen</translation>
     </message>
@@ -2783,10 +2799,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>The source was deleted: choose another one in the property Source</source>
         <translation>Die Quelle wurde gelöscht: Wählen Sie eine andere in der Eigenschaft Source</translation>
-    </message>
-    <message>
-        <source>The sources were deleted: {advice}</source>
-        <translation>Die Quellen wurden gelöscht: {advice}</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -2913,6 +2925,10 @@ Gezeigt: {show}</translation>
         <translation>V-Linien</translation>
     </message>
     <message>
+        <source>Values were changed, but the seams were not analysed with them.</source>
+        <translation>Werte wurden geändert, aber die Nähte noch nicht mit ihnen analysiert.</translation>
+    </message>
+    <message>
         <source>Vertex</source>
         <translation>Eckpunkt</translation>
     </message>
@@ -2985,8 +3001,8 @@ Gezeigt: {show}</translation>
         <translation>ein geschlossener Spline</translation>
     </message>
     <message>
-        <source>a curvature of {figure} %</source>
-        <translation>eine Krümmung von {figure} %</translation>
+        <source>a curvature tolerance of {figure} %</source>
+        <translation>eine Krümmungstoleranz von {figure} %</translation>
     </message>
     <message>
         <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
@@ -3001,8 +3017,8 @@ Gezeigt: {show}</translation>
         <translation>eine Fläche hat entlang der Naht keine Kurve in ihren Parametern</translation>
     </message>
     <message>
-        <source>a gap of {figure} mm</source>
-        <translation>einen Spalt von {figure} mm</translation>
+        <source>a gap tolerance of {figure} mm</source>
+        <translation>eine Spalttoleranz von {figure} mm</translation>
     </message>
     <message>
         <source>a point</source>
@@ -3025,8 +3041,8 @@ Gezeigt: {show}</translation>
         <translation>entlang der Naht, mm</translation>
     </message>
     <message>
-        <source>an angle of {figure}°</source>
-        <translation>einen Winkel von {figure}°</translation>
+        <source>an angle tolerance of {figure}°</source>
+        <translation>eine Winkeltoleranz von {figure}°</translation>
     </message>
     <message>
         <source>an edge</source>
@@ -3693,6 +3709,10 @@ Gezeigt: {show}</translation>
         <translation>die Kanten treffen sich, wo die Kurve wäre: Wählen Sie andere Enden</translation>
     </message>
     <message>
+        <source>the edges of {name} were deleted: {advice}</source>
+        <translation>die Kanten von {name} wurden gelöscht: {advice}</translation>
+    </message>
+    <message>
         <source>the fill itself</source>
         <translation>die Füllung selbst</translation>
     </message>
@@ -3735,6 +3755,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>the shape to compare with has no triangles</source>
         <translation>die Form, mit der verglichen wird, hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>the sources were deleted: {advice}</source>
+        <translation>die Quellen wurden gelöscht: {advice}</translation>
     </message>
     <message>
         <source>the surface folds {distance_mm} mm from the side</source>
@@ -3869,8 +3893,12 @@ Gezeigt: {show}</translation>
         <translation>{verdicts}, davon {certain} sicher</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
-        <translation>{conics}, {length_mm} mm lang, Gewichte {least_weight} bis {largest_weight}{jumps}{near}.</translation>
+        <source>{conics} of weights {least_weight} to {largest_weight}</source>
+        <translation>{conics} mit Gewichten {least_weight} bis {largest_weight}</translation>
+    </message>
+    <message>
+        <source>{conics}, {length_mm} mm long{jumps}{near}.</source>
+        <translation>{conics}, {length_mm} mm lang{jumps}{near}.</translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -4081,8 +4109,8 @@ Gezeigt: {show}</translation>
         <translation>{wanted}, davon {done} auf {target} repariert</translation>
     </message>
     <message>
-        <source>{edges_led} got new pcurves</source>
-        <translation>{edges_led} mit neuen Parameterkurven</translation>
+        <source>{edges_led} got new curves on their faces</source>
+        <translation>{edges_led} mit neuen Kurven auf ihren Flächen</translation>
     </message>
     <message>
         <source>{edges} (model)</source>
@@ -4317,7 +4345,7 @@ Gezeigt: {show}</translation>
         <translation>{link} ist keine Kante der beiden Flächen</translation>
     </message>
     <message>
-        <source>{made} between {keys} curves, within {distance_mm} mm; joints keep up to G{order}, {features} matched.</source>
+        <source>{made} between {keys} curves, within {distance_mm} mm; joints keep up to G{order}, {features} paired.</source>
         <translation>{made} zwischen {keys} Kurven, innerhalb {distance_mm} mm; Verbindungsstellen behalten bis zu G{order}, {features} zugeordnet.</translation>
     </message>
     <message>

@@ -980,7 +980,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> (proven); no chain has fewer than {least_arcs}.</source>
+        <source> (proven); at least {least_arcs} are needed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1029,6 +1029,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>, at most {distance_mm} mm from the spiral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, but the surface folds over {distance_mm} mm from the start; less tension may help</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1116,6 +1120,14 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A hyperbola of weight {weight}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A parabola</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1165,6 +1177,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Also draw the comb of the edges from which the curve is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An ellipse of weight {weight}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1533,6 +1549,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Direction of the stripes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard the changes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2356,6 +2376,10 @@ Shown: {show}</source>
         <translation>再計算 (値が変更されました)</translation>
     </message>
     <message>
+        <source>Recompute and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>やり直し</translation>
     </message>
@@ -2602,10 +2626,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Spoke</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2726,10 +2746,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edges of {name} were deleted: {advice}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2779,10 +2795,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The source was deleted: choose another one in the property Source</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sources were deleted: {advice}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2910,6 +2922,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Values were changed, but the seams were not analysed with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Vertex</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2982,7 +2998,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a curvature of {figure} %</source>
+        <source>a curvature tolerance of {figure} %</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2998,7 +3014,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a gap of {figure} mm</source>
+        <source>a gap tolerance of {figure} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3022,7 +3038,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>an angle of {figure}°</source>
+        <source>an angle tolerance of {figure}°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3690,6 +3706,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the edges of {name} were deleted: {advice}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the fill itself</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3731,6 +3751,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>the shape to compare with has no triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sources were deleted: {advice}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3866,7 +3890,11 @@ Shown: {show}</source>
         <translation>{verdicts}のうち {certain} 件が確実</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
+        <source>{conics} of weights {least_weight} to {largest_weight}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{conics}, {length_mm} mm long{jumps}{near}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4078,7 +4106,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{edges_led} got new pcurves</source>
+        <source>{edges_led} got new curves on their faces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4314,7 +4342,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{made} between {keys} curves, within {distance_mm} mm; joints keep up to G{order}, {features} matched.</source>
+        <source>{made} between {keys} curves, within {distance_mm} mm; joints keep up to G{order}, {features} paired.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -981,8 +981,8 @@ Shown: {show}</source>
 显示：{show}</translation>
     </message>
     <message>
-        <source> (proven); no chain has fewer than {least_arcs}.</source>
-        <translation>(已证明)；没有少于 {least_arcs} 段的链。</translation>
+        <source> (proven); at least {least_arcs} are needed.</source>
+        <translation>(已证明)；至少需要 {least_arcs}。</translation>
     </message>
     <message>
         <source> ({share} % less)</source>
@@ -1031,6 +1031,10 @@ Shown: {show}</source>
     <message>
         <source>, at most {distance_mm} mm from the spiral</source>
         <translation>，距螺旋线最多 {distance_mm} mm</translation>
+    </message>
+    <message>
+        <source>, but the surface folds over {distance_mm} mm from the start; less tension may help</source>
+        <translation>，但曲面在距起始边 {distance_mm} mm 处折叠；减小张力可能有帮助</translation>
     </message>
     <message>
         <source>, curvature at most {curvature_rel} %</source>
@@ -1117,6 +1121,14 @@ Shown: {show}</source>
         <translation>单击可在视图中选择它们</translation>
     </message>
     <message>
+        <source>A hyperbola of weight {weight}</source>
+        <translation>一条双曲线，权重 {weight}</translation>
+    </message>
+    <message>
+        <source>A parabola</source>
+        <translation>一条抛物线</translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation>添加一个由圆弧和直线组成的草图，贴近当前的平面曲线；草图不跟随来源</translation>
     </message>
@@ -1167,6 +1179,10 @@ Shown: {show}</source>
     <message>
         <source>Also draw the comb of the edges from which the curve is made</source>
         <translation>同时绘制生成曲线的边的曲率梳</translation>
+    </message>
+    <message>
+        <source>An ellipse of weight {weight}</source>
+        <translation>一条椭圆，权重 {weight}</translation>
     </message>
     <message>
         <source>Analysing seams…</source>
@@ -1535,6 +1551,10 @@ Shown: {show}</source>
     <message>
         <source>Direction of the stripes</source>
         <translation>条纹方向</translation>
+    </message>
+    <message>
+        <source>Discard the changes</source>
+        <translation>放弃更改</translation>
     </message>
     <message>
         <source>Distance from the vertex at which the fillet ends</source>
@@ -2357,6 +2377,10 @@ Shown: {show}</source>
         <translation>重新计算(值已更改)</translation>
     </message>
     <message>
+        <source>Recompute and close</source>
+        <translation>重新计算并关闭</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>重做</translation>
     </message>
@@ -2605,10 +2629,6 @@ Shown: {show}</source>
         <translation>通过点的样条</translation>
     </message>
     <message>
-        <source>Spoke</source>
-        <translation>辐条</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>起点</translation>
     </message>
@@ -2729,10 +2749,6 @@ Shown: {show}</source>
         <translation>接缝的一条或多条边</translation>
     </message>
     <message>
-        <source>The edges of {name} were deleted: {advice}</source>
-        <translation>{name} 的边已被删除：{advice}</translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation>面按其在文档中的样子显示</translation>
     </message>
@@ -2783,10 +2799,6 @@ Shown: {show}</source>
     <message>
         <source>The source was deleted: choose another one in the property Source</source>
         <translation>来源已被删除：请在属性 Source 中另选一个</translation>
-    </message>
-    <message>
-        <source>The sources were deleted: {advice}</source>
-        <translation>来源已被删除：{advice}</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -2913,6 +2925,10 @@ Shown: {show}</source>
         <translation>V 线</translation>
     </message>
     <message>
+        <source>Values were changed, but the seams were not analysed with them.</source>
+        <translation>数值已更改，但尚未用它们分析接缝。</translation>
+    </message>
+    <message>
         <source>Vertex</source>
         <translation>顶点</translation>
     </message>
@@ -2985,8 +3001,8 @@ Shown: {show}</source>
         <translation>闭合样条</translation>
     </message>
     <message>
-        <source>a curvature of {figure} %</source>
-        <translation>曲率 {figure} %</translation>
+        <source>a curvature tolerance of {figure} %</source>
+        <translation>曲率公差 {figure} %</translation>
     </message>
     <message>
         <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
@@ -3001,8 +3017,8 @@ Shown: {show}</source>
         <translation>某个面沿接缝没有参数曲线</translation>
     </message>
     <message>
-        <source>a gap of {figure} mm</source>
-        <translation>间隙 {figure} mm</translation>
+        <source>a gap tolerance of {figure} mm</source>
+        <translation>间隙公差 {figure} mm</translation>
     </message>
     <message>
         <source>a point</source>
@@ -3025,8 +3041,8 @@ Shown: {show}</source>
         <translation>沿接缝，mm</translation>
     </message>
     <message>
-        <source>an angle of {figure}°</source>
-        <translation>角度 {figure}°</translation>
+        <source>an angle tolerance of {figure}°</source>
+        <translation>角度公差 {figure}°</translation>
     </message>
     <message>
         <source>an edge</source>
@@ -3693,6 +3709,10 @@ Shown: {show}</source>
         <translation>边在曲线所在处相交：请选择其他端点</translation>
     </message>
     <message>
+        <source>the edges of {name} were deleted: {advice}</source>
+        <translation>{name} 的边已被删除：{advice}</translation>
+    </message>
+    <message>
         <source>the fill itself</source>
         <translation>填充自身</translation>
     </message>
@@ -3735,6 +3755,10 @@ Shown: {show}</source>
     <message>
         <source>the shape to compare with has no triangles</source>
         <translation>用于比较的形状没有三角形</translation>
+    </message>
+    <message>
+        <source>the sources were deleted: {advice}</source>
+        <translation>来源已被删除：{advice}</translation>
     </message>
     <message>
         <source>the surface folds {distance_mm} mm from the side</source>
@@ -3869,8 +3893,12 @@ Shown: {show}</source>
         <translation>{verdicts}中 {certain} 个确定</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
-        <translation>{conics}，长 {length_mm} mm，权重 {least_weight} 至 {largest_weight}{jumps}{near}。</translation>
+        <source>{conics} of weights {least_weight} to {largest_weight}</source>
+        <translation>{conics}，权重 {least_weight} 至 {largest_weight}</translation>
+    </message>
+    <message>
+        <source>{conics}, {length_mm} mm long{jumps}{near}.</source>
+        <translation>{conics}，长 {length_mm} mm{jumps}{near}。</translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -4081,8 +4109,8 @@ Shown: {show}</source>
         <translation>{wanted}中 {done} 条已修复到 {target}</translation>
     </message>
     <message>
-        <source>{edges_led} got new pcurves</source>
-        <translation>{edges_led}得到新的参数曲线</translation>
+        <source>{edges_led} got new curves on their faces</source>
+        <translation>{edges_led}在其面上得到新的曲线</translation>
     </message>
     <message>
         <source>{edges} (model)</source>
@@ -4317,8 +4345,8 @@ Shown: {show}</source>
         <translation>{link} 不是这两个面的边</translation>
     </message>
     <message>
-        <source>{made} between {keys} curves, within {distance_mm} mm; joints keep up to G{order}, {features} matched.</source>
-        <translation>{keys} 条曲线之间的{made}，误差不超过 {distance_mm} mm；连接点保持至 G{order}，{features}已对应。</translation>
+        <source>{made} between {keys} curves, within {distance_mm} mm; joints keep up to G{order}, {features} paired.</source>
+        <translation>{keys} 条曲线之间的{made}，误差不超过 {distance_mm} mm；连接点保持至 G{order}，{features}已配对。</translation>
     </message>
     <message>
         <source>{members} around the point: {state}, {figures}; {followed}.</source>
