@@ -35,6 +35,7 @@ from freecad.seamwright.gui.scene.comb import COLOURS
 from freecad.seamwright.gui.scene.legend import BORDER
 from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.scene.substitutes import NAME
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import ramps
 
 LEGEND = QtCore.QRect(0, 0, 420, 140)
@@ -184,8 +185,11 @@ class Panel(MapWindow):
             Gui.runCommand(self.COMMAND)
             computation = self.made()[0].ViewObject.Proxy.panel.computation
             self.assertFalse(computation.line.isHidden())
-            pause(0.3)
+            pause(0.7)
             self.assertTrue(computation.stop_button.isVisible())
+            boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+            (ok,) = [each for each in (box.button(box.Ok) for box in boxes) if each]
+            self.assertFalse(ok.isEnabled())
             self.cancel()
         self.assertEqual(self.made(), [])
 
