@@ -242,8 +242,11 @@ CornerReason setbackTooSmall(int edge, double setback_mm, double least_mm) {
 }
 
 CornerReason setBackTooFar(const SetBackFillet& fillet, double length_mm) {
-  CornerReason reason = setBack(fillet, length_mm,
-                                fmt::format("would be {} long on one side", lengthText(length_mm)));
+  const std::string what =
+      length_mm < 0
+          ? fmt::format("would end {} before it begins on one side", lengthText(-length_mm))
+          : fmt::format("would be {} long on one side", lengthText(length_mm));
+  CornerReason reason = setBack(fillet, length_mm, what);
   reason.numbers.emplace_back("length_mm", length_mm);
   return reason;
 }
