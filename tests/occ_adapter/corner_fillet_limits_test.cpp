@@ -116,7 +116,8 @@ TEST(CornerFilletLimits, SetbacksNeedRoom) {
   cube.options.setbacks_mm[edge] = 1.01;
   EXPECT_EQ(cube.message<std::domain_error>(), "nothing thrown");
   cube.options.setbacks_mm[edge] = 11;
-  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would end 1 mm before it begins on one side"));
+  EXPECT_THAT(cube.message<std::domain_error>(),
+              HasSubstr("would end 1 mm before it begins on one side"));
   cube = {};
   for (auto& [number, radius_mm] : cube.options.radii_mm) radius_mm = 9.5;
   EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be "));
