@@ -308,3 +308,12 @@ def test_every_file_of_tests_is_run():
     assert all(files.values())
     missing = {folder: files[folder] - lists[folder] for folder in lists}
     assert not any(missing.values()), missing
+
+
+def test_files_of_the_addon_are_staged():
+    """A module that its build leaves out is missing only in FreeCAD."""
+    addon = ROOT / "plugin" / "freecad"
+    listed = (addon / "CMakeLists.txt").read_text()
+    files = [path.relative_to(addon).as_posix() for path in (addon / "freecad").rglob("*.py")]
+    assert len(files) > 50
+    assert [name for name in files if name not in listed] == []
