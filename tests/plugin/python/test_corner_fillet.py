@@ -197,7 +197,7 @@ def test_setbacks_of_zero_are_chosen(box):
         (1, float("nan"), {}, "radius of edge .* is nan"),
         (1, -1, {}, "radius of edge .* is -1"),
         (1, 1, {"setbacks_mm": 0.5}, "more than 1 mm is needed"),
-        (1, 20, {}, "would be"),
+        (1, 20, {}, "would end 20 mm before it begins"),
         (1, 1, {"setbacks_mm": -1}, "setback of edge .* is -1 mm"),
         (1, 1, {"section_mm": 1}, "section_mm is 1 mm"),
         (1, 1, {"jobs": -1}, "jobs is -1"),
