@@ -127,7 +127,7 @@ def test_where_patches_have_no_room_opencascade_fills_and_is_named(box):
             ([*("--vertex", "1", "--radius", "0.2"), option, "1"], option)
             for option in ("--curvature", "--crease", "--flat-radius")
         ),
-        (["--vertex", "1", "--radius", "20"], "long on one side"),
+        (["--vertex", "1", "--radius", "20"], "before it begins on one side"),
         (["--vertex", "1", "--radius", "wide"], "wide"),
     ],
 )
