@@ -120,7 +120,7 @@ TEST(CornerFilletLimits, SetbacksNeedRoom) {
               HasSubstr("would end 1 mm before it begins on one side"));
   cube = {};
   for (auto& [number, radius_mm] : cube.options.radii_mm) radius_mm = 9.5;
-  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be "));
+  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would end 4.25 mm before it begins"));
 }
 
 /// A box of 10 by 20 by 30: a radius of 28 has no room on the edges beside its own.
