@@ -114,8 +114,8 @@ NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& opt
   result.corners = std::move(fields.corners);
   const Poles fairest = chooseFairest(result, space, options.fairness_order);
   if (options.curvature_degrees) {
-    // What neither jumps nor fairness decide stays as in the fairest fill.
-    space.constants += space.coefficients * fairest;
+    // The unknowns of G2 are no points: what neither jumps nor fairness decide stays as it is.
+    if (options.law == SpokeLaw::G2) space.constants += space.coefficients * fairest;
     fill::CurvedPatches curved = fill::leastCurvatureJump(
         space, result.patches, fill::starEdges(space.patches), sides, options.fairness_order,
         [&](const Poles& unknowns) { return fill::patchesOf(space, unknowns); });
