@@ -187,9 +187,7 @@ class Panel(MapWindow):
             self.assertFalse(computation.line.isHidden())
             pause(0.7)
             self.assertTrue(computation.stop_button.isVisible())
-            boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-            (ok,) = [each for each in (box.button(box.Ok) for box in boxes) if each]
-            self.assertFalse(ok.isEnabled())
+            self.assertFalse(self.button(QtWidgets.QDialogButtonBox.Ok).isEnabled())
             self.cancel()
         self.assertEqual(self.made(), [])
 

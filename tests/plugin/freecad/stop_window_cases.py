@@ -27,12 +27,6 @@ OLD_RESULTS = "Cancelled; the results are those of the last complete run."
 OK = QtWidgets.QDialogButtonBox.Ok
 
 
-def ok_button():
-    boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-    (button,) = [box.button(OK) for box in boxes if box.isVisible() and box.button(OK)]
-    return button
-
-
 class Repairing(PanelWindow):
     COMMAND = "Seamwright_RepairSeams"
     is_made = staticmethod(repair.is_repair)
@@ -73,7 +67,7 @@ class Repairing(PanelWindow):
         self.assertFalse(self.doc.HasPendingTransaction)
 
     def test_the_panel_is_locked_while_it_computes_long(self):
-        parts = [self.panel.table, self.panel.preview_button, ok_button()]
+        parts = [self.panel.table, self.panel.preview_button, self.button(OK)]
         with held():
             self.panel.preview()
             self.assertTrue(all(part.isEnabled() for part in parts))

@@ -214,10 +214,14 @@ class WindowCase(unittest.TestCase):
     def visible(self):
         return [obj.Name for obj in self.doc.Objects if obj.ViewObject.Visibility]
 
-    def press(self, which):
-        """Press OK or Cancel of the task panel."""
+    def button(self, which):
+        """OK or Cancel of the open task panel; boxes of closed panels can still exist, hidden."""
         boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
         (button,) = [box.button(which) for box in boxes if box.isVisible() and box.button(which)]
+        return button
+
+    def press(self, which):
+        button = self.button(which)
         click(button, button.rect().center())
         settle()
 
