@@ -210,8 +210,7 @@ class Drags(SplineWindow):
             tension = list(obj.Tension)
             self.assertEqual([tension[k] for k in (0, 2, 3, 4)], [0] * 4)
             self.assertGreater(sign * tension[1], 0)
-            self.assertEqual(panel.table.item(1, 1).text(), panel.table.item(1, 1).text().strip())
-            self.assertAlmostEqual(float(panel.table.item(1, 1).text()), tension[1])
+            self.assertAlmostEqual(float(panel.table.item(1, 3).text()), tension[1])
             drag(self.place(panel, TENSION, 1), WAVE[1])
             self.wait()
             if sign > 0:
@@ -237,17 +236,63 @@ class Drags(SplineWindow):
     def test_numbers_of_the_table(self):
         obj, panel = self.spline(family=BETA)
         self.assertEqual(panel.table.rowCount(), 5)
-        panel.table.item(2, 2).setText("2.5")
+        panel.table.item(2, 4).setText("2.5")
         self.wait()
         self.assertEqual(list(obj.Bias), [1, 1, 2.5, 1, 1])
-        panel.table.item(2, 1).setText("x")
+        panel.table.item(2, 3).setText("x")
         self.wait()
-        self.assertEqual(panel.table.item(2, 1).text(), "0")
+        self.assertEqual(panel.table.item(2, 3).text(), "0")
         key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
         self.wait()
         self.assertEqual(list(obj.Bias), [1])
         self.set_field(panel, "family", "Polygon, gamma")
-        self.assertFalse(panel.table.isVisible())
+        self.assertTrue(panel.table.isColumnHidden(3) and panel.table.isColumnHidden(4))
+        self.cancel()
+
+    def test_coordinates_of_the_table_move_points_of_sources_and_own_ones(self):
+        obj, panel = self.spline()
+        for text, y in (("27.5", 27.5), ("1 in", 25.4), ("=10 mm + 5 mm", 15.0)):
+            panel.table.item(1, 1).setText(text)
+            self.wait()
+            numpy.testing.assert_allclose(self.made_points(obj)[1], (*WAVE[1][:1], y, 0), atol=1e-12)
+        self.assertEqual([tuple(each) for k, each in enumerate(obj.Moves) if k != 1], [(0, 0, 0)] * 4)
+        for text in ("x", "nan", "inf", "2 kg", ""):
+            panel.table.item(1, 1).setText(text)
+            self.wait()
+            self.assertEqual((panel.table.item(1, 1).text(), self.made_points(obj)[1][1]), ("15", 15))
+        key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
+        self.wait()
+        self.assertEqual(panel.table.item(1, 1).text(), "25.4")
+        panel.options.fields["points_mm"].show_value([tuple(map(float, each)) for each in WAVE])
+        panel.changed()
+        self.wait()
+        panel.table.item(4, 2).setText("3")
+        self.wait()
+        self.assertEqual(tuple(obj.Points[4]), (*WAVE[4][:2], 3))
+        self.cancel()
+
+    def test_a_point_on_another_one_can_be_corrected_in_the_table(self):
+        obj, panel = self.spline()
+        for axis, text in enumerate(map(str, WAVE[0])):
+            panel.table.item(1, axis).setText(text)
+        self.wait()
+        self.assertEqual(panel.table.rowCount(), 5)
+        self.assertTrue(panel.table.isVisible())
+        panel.table.item(1, 0).setText("7")
+        self.wait()
+        self.assertEqual(self.made_points(obj)[1][0], 7)
+        self.cancel()
+
+    def test_without_handles_the_points_stay_in_the_table_and_are_picked_on(self):
+        obj, panel = self.spline()
+        panel.box.handles.setChecked(False)
+        self.assertTrue(panel.table.isVisible())
+        self.assertEqual(len(panel.editor.drawing.places), 0)
+        panel.pick.setChecked(True)
+        click_at((60, 0, 0))
+        key(QtCore.Qt.Key_Return)
+        self.wait()
+        self.assertEqual(len(self.made_points(obj)), 6)
         self.cancel()
 
     def test_a_point_snaps_to_vertices_edges_and_the_grid(self):

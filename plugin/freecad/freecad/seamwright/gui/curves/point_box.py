@@ -46,7 +46,7 @@ class PointBox(QtWidgets.QGroupBox):
             buttons.add(each, 1)
         self.picked = make_text()
         self.picked.hide()
-        self.table = PointTable()
+        self.table = PointTable(obj)
         layout = QtWidgets.QVBoxLayout(self)
         layout.addLayout(buttons)
         layout.addWidget(self.picked)

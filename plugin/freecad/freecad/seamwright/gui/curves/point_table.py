@@ -1,62 +1,99 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of tension and bias at each point of a spline."""
+"""The table of the points of a spline: their coordinates, tension and bias."""
 
+import math
+
+from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
-from freecad.seamwright.plain import options
+from freecad.seamwright.plain import lengths, options
 from freecad.seamwright.plain.language import mark, tr
 
-#: The arguments of the columns after that of the number of the point, with their headings.
+AXES = ("X", "Y", "Z")
+
+#: The arguments of the columns after the coordinates, with their headings.
 COLUMNS = (("tension", mark("Tension")), ("bias", mark("Bias")))
 
-HEIGHT = 130
+HEIGHT = 160
 
 
 class PointTable(QtWidgets.QTableWidget):
-    """One row for each point; ``edited(argument, numbers)`` when the user changes a number."""
+    """One row for each point.
 
+    When the user changes a number, it emits ``moved(row, point in mm)`` or
+    ``edited(argument, numbers of all points)``.
+    """
+
+    moved = QtCore.Signal(int, list)
     edited = QtCore.Signal(str, list)
 
-    def __init__(self):
-        super().__init__(0, 1 + len(COLUMNS))
-        self.setHorizontalHeaderLabels([tr("Point"), *(tr(heading) for _, heading in COLUMNS)])
-        self.verticalHeader().hide()
+    def __init__(self, obj):
+        """``obj``: the spline; texts may be expressions that name what it can refer to."""
+        super().__init__(0, len(AXES) + len(COLUMNS))
+        self._obj = obj
+        self._points, self._numbers, self._shows = (), [], False
         self.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        self.horizontalHeader().setMinimumSectionSize(1)
         self.setFixedHeight(HEIGHT)
-        self.setToolTip(tr("Tension and bias of each point; a bad number is not taken"))
-        self._numbers, self._shows = [], False
+        self.setToolTip(
+            tr("Coordinates, tension and bias of each point; a bad number is not taken")
+        )
         self.cellChanged.connect(self._change)
 
-    def show_numbers(self, count, columns):
-        """Show numbers of points: for each column one for each point, or one for all."""
+    def show_points(self, points, columns):
+        """Show points in mm, and numbers: for each column one for each point, or one for all."""
+        count = len(points)
+        self._points = points
         self._numbers = [
             list(each) * count if len(each) == 1 else list(each)[:count] for each in columns
         ]
         self._shows = True
         self.setRowCount(count)
+        unit = lengths.unit().name
+        self.setHorizontalHeaderLabels(
+            ["%s %s" % (axis, unit) for axis in AXES] + [tr(heading) for _, heading in COLUMNS]
+        )
         for column in range(len(COLUMNS)):
-            self.setColumnHidden(1 + column, column >= len(columns))
+            self.setColumnHidden(len(AXES) + column, column >= len(columns))
         for row in range(count):
-            self._put(row, 0, str(row + 1), QtCore.Qt.ItemIsSelectable)
-            for column, numbers in enumerate(self._numbers, 1):
+            for axis in range(len(AXES)):
+                self._put(row, axis, "%.7g" % lengths.shown(points[row][axis]))
+            for column, numbers in enumerate(self._numbers, len(AXES)):
                 text = options.numbers_text(numbers[row : row + 1]) if row < len(numbers) else ""
                 self._put(row, column, text)
         self._shows = False
 
-    def _put(self, row, column, text, flags=None):
-        item = self.item(row, column) or QtWidgets.QTableWidgetItem()
-        item.setText(text)
-        if flags is not None:
-            item.setFlags(flags | QtCore.Qt.ItemIsEnabled)
-        if self.item(row, column) is None:
+    def _put(self, row, column, text):
+        item = self.item(row, column)
+        if item is None:
+            item = QtWidgets.QTableWidgetItem()
             self.setItem(row, column, item)
+        item.setText(text)
 
     def _change(self, row, column):
-        if self._shows or column == 0:
+        if self._shows:
             return
-        numbers = list(self._numbers[column - 1])
+        text = self.item(row, column).text()
         try:
-            (numbers[row],) = options.parse_numbers(self.item(row, column).text())
+            if column < len(AXES):
+                point = [float(each) for each in self._points[row]]
+                point[column] = self._length_mm(text)
+                self.moved.emit(row, point)
+                return
+            name, _ = COLUMNS[column - len(AXES)]
+            numbers = list(self._numbers[column - len(AXES)])
+            (numbers[row],) = options.parse_numbers(text)
         except (ValueError, IndexError):
-            self.show_numbers(self.rowCount(), self._numbers)
+            self.show_points(self._points, self._numbers)
             return
-        self.edited.emit(COLUMNS[column - 1][0], numbers)
+        self.edited.emit(name, numbers)
+
+    def _length_mm(self, text):
+        """Return the length of a number in the unit of the user, or of an expression."""
+        text = text.strip().replace(str(self.locale().decimalPoint()), ".")
+        try:
+            length_mm = float(text) * lengths.unit().mm
+        except ValueError:
+            length_mm = expressions.evaluated(self._obj, text.lstrip("="), "mm")
+        if not math.isfinite(length_mm):
+            raise ValueError("not finite")
+        return length_mm

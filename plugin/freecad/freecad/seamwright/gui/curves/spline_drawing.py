@@ -92,9 +92,14 @@ class SplineDrawing:
         self._live.show_handles(self.places, stalks)
 
     def hide_handles(self):
-        """Draw no handles: there is no spline to drag."""
-        self.points, self.places = None, {}
+        """Draw no handles."""
+        self.places = {}
         self._live.show_handles({})
+
+    def forget(self):
+        """Draw no handles: there is no spline to drag."""
+        self.points = None
+        self.hide_handles()
 
     def show_picked(self, points, values):
         """Draw picked points, and the spline through them as far as there is one."""

@@ -43,13 +43,14 @@ class _Drag(NamedTuple):
 class SplineEditor:
     """The handles of a spline while its panel is open.
 
-    ``panel`` is the SplinePanel.
+    ``panel`` is the SplinePanel. ``given`` (count, 3): the points of the values, whether or not they
+    make a spline; None without any.
     """
 
     def __init__(self, panel, obj):
         self.panel, self.obj = panel, obj
         self.drawing = SplineDrawing(obj)
-        self.picker = self.view = None
+        self.picker = self.view = self.given = None
         self.shown = True
         self._drag = self._values = self._events = None
         self._base, self._closed = None, False
@@ -84,19 +85,23 @@ class SplineEditor:
         values = self._read()
         if values is None or not self.panel.is_due():
             self.drawing.hide_spline()
-        if self.shown and values is not None and self._compute(values):
+        if values is None or not self._compute(values):
+            self.drawing.forget()
+        elif self.shown:
             self.drawing.show_handles(values)
         else:
             self.drawing.hide_handles()
 
     def _read(self):
         """Find the points of the sources; return the values, None where they make no points."""
+        self.given = None
         try:
             values = self.panel.spline_values()
             shapes = inputs.shapes_of(self.panel.links("Sources"))
             self._base, self._closed = self.obj.Proxy.points_before(shapes, values)
         except (ValueError, sources.SourceError):
             return None
+        self.given = self._points_of(values)
         return values
 
     def _compute(self, values):
@@ -190,7 +195,7 @@ class SplineEditor:
             start = self._points_of(before)[place]
             point = snapper.find(projection, pixel, start, self.panel.box.grid_mm()).point
             self.drawing.show_snap(point)
-            return None if point is None else self._with_point(before, place, point)
+            return None if point is None else self.with_point(before, place, point)
         if kind == TANGENT:
             return self._with_tangent(before, place, projection, pixel)
         slides = self.drawing.slides
@@ -202,13 +207,14 @@ class SplineEditor:
         tension[place] = max(value, 0.0) if before["family"] == NU else value
         return {**before, "tension": tension}
 
-    def _with_point(self, values, place, point):
+    def with_point(self, values, place, point):
+        """Return the values when one point is moved to another place."""
         if values["points_mm"]:
             points = list(values["points_mm"])
             points[place] = tuple(map(float, point))
             return {**values, "points_mm": points}
         moves = numpy.array(self._points_of(values) - self._base)
-        moves[place] = point - self._base[place]
+        moves[place] = numpy.subtract(point, self._base[place])
         return {**values, "moves_mm": [tuple(each) for each in moves.tolist()]}
 
     def _with_tangent(self, values, place, projection, pixel):

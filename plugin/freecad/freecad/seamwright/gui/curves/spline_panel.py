@@ -42,6 +42,7 @@ class SplinePanel(CurvePanel):
         self.box.snaps.toggled.connect(lambda *_: self.box.suit_grid(self.editor.view))
         self.comb.toggled.connect(lambda *_: self._load())
         self.table.edited.connect(lambda name, numbers: self._change({name: numbers}))
+        self.table.moved.connect(self._move)
 
     def open(self):
         """Take the mouse in the view; without any points, pick some."""
@@ -146,20 +147,20 @@ class SplinePanel(CurvePanel):
         self._show_table()
 
     def _show_table(self):
-        columns = []
-        if self.editor.points is not None:
+        self.table.setVisible(self.editor.given is not None)
+        if self.editor.given is not None:
             values = self.spline_values()
             names = {NU: ("tension",), BETA: ("tension", "bias")}.get(values["family"], ())
-            columns = [values[name] for name in names]
-        self.table.setVisible(bool(columns))
-        if columns:
-            self.table.show_numbers(len(self.editor.points), columns)
+            self.table.show_points(self.editor.given, [values[name] for name in names])
 
     def _change(self, values):
         try:
             self.keep_values({**self.spline_values(), **values})
         except ValueError as error:  # a text of the panel is no list of numbers
             self.say(str(error))
+
+    def _move(self, place, point):
+        self.keep_values(self.editor.with_point(self.spline_values(), place, point))
 
     def _toggle_handles(self, shown):
         self.editor.shown = shown

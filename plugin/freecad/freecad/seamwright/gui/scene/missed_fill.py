@@ -5,7 +5,7 @@ they miss, with a legend."""
 from pivy import coin
 
 from freecad.seamwright.gui.scene.coloured import unpickable
-from freecad.seamwright.gui.scene.halo import BAND_LIFT, SEAM_LIFT, nearer
+from freecad.seamwright.gui.scene.halo import BAND_LIFT, CORE_LIFT, nearer
 from freecad.seamwright.gui.scene.legend import Legend
 
 FACE_COLOUR, LINE_WIDTH, LEGEND_TEXT_PX = (0.45, 0.8, 0.7), 7.0, 13
@@ -46,8 +46,8 @@ def _faces(shape):
     coordinates.point.setValues(0, len(points), [tuple(point) for point in points])
     corners = [number for triangle in triangles for number in (*triangle, -1)]
     faces.coordIndex.setValues(0, len(corners), corners)
-    # A fill in place of a face lies close to it.
-    for node in (nearer(SEAM_LIFT), hints, material, coordinates, faces):
+    # A fill in place of a face lies close to it, in parts behind it.
+    for node in (nearer(BAND_LIFT), hints, material, coordinates, faces):
         group.addChild(node)
     return group
 
@@ -65,6 +65,6 @@ def _lines(lines):
         coordinates.point.setValues(0, len(points), points)
     line_set.numVertices.setValues(0, len(lines), [len(line) for line, _ in lines])
     if lines:
-        for node in (nearer(BAND_LIFT), light, binding, style, material, coordinates, line_set):
+        for node in (nearer(CORE_LIFT), light, binding, style, material, coordinates, line_set):
             group.addChild(node)
     return group
