@@ -60,7 +60,8 @@ class CurvePanel(OptionPanel):
         self.numbers.setToolTip(tr("Show which number of a list belongs to which point"))
         self.numbers.setVisible(bool(self._points()))
         layout.addWidget(self.numbers)
-        for widgets in ((self.comb, self.compare), (self.comb_lines, self.comb_scale)):
+        look = (self.comb_lines, QtWidgets.QLabel(tr("Length")), self.comb_scale)
+        for widgets in ((self.comb, self.compare), look):
             line = FlowLayout()
             for widget in widgets:
                 line.add(widget)
@@ -81,9 +82,12 @@ class CurvePanel(OptionPanel):
         self.sketch_mm.show_number(arcs.SKETCH_MM)
         self.sketch_mm.setToolTip(tr("Largest distance of the arcs from the curve"))
         self.sketch_text = make_text()
-        for widget, stretch in ((self.sketch, 0), (self.sketch_mm, 0), (self.sketch_text, 1)):
-            line.add(widget, stretch)
-        self.sketch_mm.setVisible(not isinstance(self.obj.Proxy, arcs.Arcs))
+        label = QtWidgets.QLabel(tr("Tolerance"))
+        for widget in (self.sketch, label, self.sketch_mm):
+            line.add(widget)
+        line.add(self.sketch_text, 1)
+        for widget in (label, self.sketch_mm):
+            widget.setVisible(not isinstance(self.obj.Proxy, arcs.Arcs))
         return line
 
     def _connect(self):
