@@ -289,7 +289,7 @@ class Drags(SplineWindow):
         self.assertTrue(panel.table.isVisible())
         self.assertEqual(len(panel.editor.drawing.places), 0)
         panel.pick.setChecked(True)
-        click_at((60, 0, 0))
+        click_at((20, 2, 0))
         key(QtCore.Qt.Key_Return)
         self.wait()
         self.assertEqual(len(self.made_points(obj)), 6)
