@@ -1409,6 +1409,10 @@ Gezeigt: {show}</translation>
         <translation>Stetigkeit</translation>
     </message>
     <message>
+        <source>Coordinates, tension and bias of each point; a bad number is not taken</source>
+        <translation>Koordinaten, Spannung und Bias jedes Punkts; eine unzulässige Zahl wird nicht übernommen</translation>
+    </message>
+    <message>
         <source>Copy rows</source>
         <translation>Zeilen kopieren</translation>
     </message>
@@ -2301,10 +2305,6 @@ Gezeigt: {show}</translation>
         <translation>Stelle</translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>Punkte</translation>
     </message>
@@ -2703,10 +2703,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>Tension</source>
         <translation>Spannung</translation>
-    </message>
-    <message>
-        <source>Tension and bias of each point; a bad number is not taken</source>
-        <translation>Spannung und Bias jedes Punkts; eine unzulässige Zahl wird nicht übernommen</translation>
     </message>
     <message>
         <source>Tension at the end</source>

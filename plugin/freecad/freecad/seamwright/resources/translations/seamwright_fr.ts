@@ -1408,6 +1408,10 @@ Shown: {show}</source>
         <translation>Continuité</translation>
     </message>
     <message>
+        <source>Coordinates, tension and bias of each point; a bad number is not taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Copy rows</source>
         <translation>Copier les lignes</translation>
     </message>
@@ -2300,10 +2304,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>Point</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>Points</translation>
     </message>
@@ -2700,10 +2700,6 @@ Shown: {show}</source>
     <message>
         <source>Tension</source>
         <translation>Tension</translation>
-    </message>
-    <message>
-        <source>Tension and bias of each point; a bad number is not taken</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension at the end</source>

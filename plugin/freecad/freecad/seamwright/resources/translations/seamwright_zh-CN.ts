@@ -1409,6 +1409,10 @@ Shown: {show}</source>
         <translation>连续性</translation>
     </message>
     <message>
+        <source>Coordinates, tension and bias of each point; a bad number is not taken</source>
+        <translation>每个点的坐标、张力和偏斜；无效的数不被接受</translation>
+    </message>
+    <message>
         <source>Copy rows</source>
         <translation>复制行</translation>
     </message>
@@ -2301,10 +2305,6 @@ Shown: {show}</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>点</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>点</translation>
     </message>
@@ -2703,10 +2703,6 @@ Shown: {show}</source>
     <message>
         <source>Tension</source>
         <translation>张力</translation>
-    </message>
-    <message>
-        <source>Tension and bias of each point; a bad number is not taken</source>
-        <translation>每个点的张力和偏斜；无效的数不被接受</translation>
     </message>
     <message>
         <source>Tension at the end</source>
