@@ -254,12 +254,15 @@ class Drags(SplineWindow):
         for text, y in (("27.5", 27.5), ("1 in", 25.4), ("=10 mm + 5 mm", 15.0)):
             panel.table.item(1, 1).setText(text)
             self.wait()
-            numpy.testing.assert_allclose(self.made_points(obj)[1], (*WAVE[1][:1], y, 0), atol=1e-12)
-        self.assertEqual([tuple(each) for k, each in enumerate(obj.Moves) if k != 1], [(0, 0, 0)] * 4)
+            moved = self.made_points(obj)[1]
+            numpy.testing.assert_allclose(moved, (WAVE[1][0], y, 0), atol=1e-12)
+        others = [tuple(each) for place, each in enumerate(obj.Moves) if place != 1]
+        self.assertEqual(others, [(0, 0, 0)] * 4)
         for text in ("x", "nan", "inf", "2 kg", ""):
             panel.table.item(1, 1).setText(text)
             self.wait()
-            self.assertEqual((panel.table.item(1, 1).text(), self.made_points(obj)[1][1]), ("15", 15))
+            self.assertEqual(panel.table.item(1, 1).text(), "15")
+            self.assertEqual(self.made_points(obj)[1][1], 15)
         key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
         self.wait()
         self.assertEqual(panel.table.item(1, 1).text(), "25.4")

@@ -43,8 +43,8 @@ class _Drag(NamedTuple):
 class SplineEditor:
     """The handles of a spline while its panel is open.
 
-    ``panel`` is the SplinePanel. ``given`` (count, 3): the points of the values, whether or not they
-    make a spline; None without any.
+    ``panel`` is the SplinePanel. ``given`` (count, 3): the points of the values, whether or not
+    they make a spline; None without any.
     """
 
     def __init__(self, panel, obj):
