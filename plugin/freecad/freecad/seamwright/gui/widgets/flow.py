@@ -14,14 +14,19 @@ class FlowLayout(QtWidgets.QLayout):
         self.setSpacing(6)
 
     def add(self, widget, stretch=0):
-        """Add a widget; ``stretch``: the share of what is left of its line."""
-        self.addWidget(widget)
+        """Add a widget; ``stretch``: the share of what is left of its line.
+
+        The item is made here: PySide can lose one that ``addWidget`` makes, and then the line is
+        empty.
+        """
+        self.addChildWidget(widget)
+        self.addItem(QtWidgets.QWidgetItem(widget))
         self._stretches[-1] = stretch
 
     # Methods that Qt calls.
 
     def addItem(self, item):
-        """Take an item that ``addWidget`` made."""
+        """Take an item."""
         self._items.append(item)
         self._stretches.append(0)
 
