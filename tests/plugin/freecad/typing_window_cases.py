@@ -108,3 +108,22 @@ class Typing(PanelWindow):
         self.assertTrue(turn_wheel(field, 15))
         self.assertNotEqual(form.values(), values)
         self.cancel()
+
+    def test_enter_keeps_the_panel_while_a_number_is_not_allowed(self):
+        field = self.panel.fields[RADIUS][0]
+        for text in ("-5", "x", "1 kg"):
+            self.focus(field)
+            type_text(text)
+            press_key(QtCore.Qt.Key_Return)
+            pause(0.2)
+            least = field.textFromValue(field.minimum())
+            self.assertIn("from %s to " % least, QtWidgets.QToolTip.text())
+            self.assertIsNotNone(self.obj.ViewObject.Proxy.panel)
+            self.assertEqual(field.lineEdit().text(), text)
+        self.focus(field)
+        type_text("1.5")
+        press_key(QtCore.Qt.Key_Return)
+        settle(0.8)
+        self.assertEqual(self.obj.Radii[0], 1.5)
+        if Gui.Control.activeDialog():
+            self.cancel()
