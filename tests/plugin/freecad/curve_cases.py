@@ -10,7 +10,7 @@ import numpy
 import Part
 from document_cases import DocumentCase
 
-from freecad.seamwright.document.curves import arcs
+from freecad.seamwright.document.curves import arcs, clothoid
 from freecad.seamwright.document.curves import kinds as curves
 from freecad.seamwright.document.curves.conic import CHAIN
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
@@ -277,6 +277,13 @@ class Clothoids(DocumentCase):
         self.assertEqual(made.report["pieces"], 8)
         self.assertLessEqual(farthest(made.shape, slot(TURNED)), 0.05)
         self.assertLess(abs(made.report["radius_mm"] - 5), 0.1)
+        self.assertNotIn("separate", clothoid.Clothoid.text(made.report))
+
+    def test_edges_that_do_not_touch_are_told_to_stay_apart(self):
+        arc = Part.Arc(App.Vector(20, 10, 0), App.Vector(27, 7, 0), App.Vector(30, 0, 0)).toShape()
+        line = Part.makeLine(App.Vector(), App.Vector(10, 0, 0))
+        made = curves.make("Clothoid", [line, arc])
+        self.assertIn("2 separate curves", clothoid.Clothoid.text(made.report))
 
 
 class Conics(DocumentCase):

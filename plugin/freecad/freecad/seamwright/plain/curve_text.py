@@ -96,12 +96,12 @@ def spline_text(report):
 
 
 def clothoid_text(report):
-    """Return one line about clothoids."""
+    """Return one or two sentences about clothoids."""
     radius = report["least_radius_mm"]
     sharpest = tr("straight") if radius is None else tr("smallest radius {radius} mm").format(
         radius=number(radius)
     )
-    return tr(
+    text = tr(
         "{pieces}, {length_mm} mm long, {sharpest}, at most {distance_mm} mm from the input."
     ).format(
         pieces=counted(report["pieces"], "piece"),
@@ -109,6 +109,12 @@ def clothoid_text(report):
         sharpest=sharpest,
         distance_mm=bound(report["distance_mm"]),
     )
+    if report.get("curves", 1) > 1:
+        text += tr(
+            " There are {curves} separate curves: edges that do not touch are not joined; Bridge "
+            "Curve does that."
+        ).format(curves=report["curves"])
+    return text
 
 
 def log_spiral_text(report):

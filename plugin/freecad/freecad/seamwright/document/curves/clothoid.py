@@ -125,6 +125,7 @@ class Clothoid(Curve):
         radius = 1 / sharpest if sharpest > 0 else None
         report = {
             "pieces": len(pieces),
+            "curves": len(found.parts),
             "length_mm": sum(chain.length_mm for chain, *_ in every),
             "least_radius_mm": radius,
             "radius_mm": radius or 0.0,
