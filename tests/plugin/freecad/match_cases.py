@@ -250,6 +250,23 @@ class Chains(MatchCase):
             match.arranged([*faces, faces[2]])
 
 
+class EdgeAndFace(MatchCase):
+    def test_an_edge_of_the_first_face_is_the_common_edge(self):
+        self.sheets()
+        left, right = ((each, "Face1") for each in (self.left, self.right))
+        aim = self.right.Shape.CenterOfMass
+        ways = [each.CenterOfMass.distanceToPoint(aim) for each in self.left.Shape.Edges]
+        common = (self.left, "Edge%d" % (1 + ways.index(min(ways))))
+        arranged = match.arranged([common, right])
+        self.assertEqual(arranged, (left, right, {"edge": common}))
+        obj = match.create(*arranged[:2], **arranged[2])
+        alone = self.match()
+        self.assertTrue(obj.Matched)
+        for name in ("GapAfter", "AngleAfter", "LargestMove"):
+            found, wanted = (getattr(each, name).Value for each in (obj, alone))
+            self.assertAlmostEqual(found, wanted, delta=1e-9, msg=name)
+
+
 class Following(MatchCase):
     def test_a_changed_source_is_followed(self):
         self.sheets()

@@ -341,6 +341,8 @@ def arranged(chosen):
         )
     joined = [*faces[:-1], *edges]
     first = match_chain.first_face(faces[-1], joined)
+    if len(joined) == 1:
+        return first, faces[-1], {"edge": joined[0]}
     return first, faces[-1], {"more": [each for each in joined if each != first]}
 
 
