@@ -237,6 +237,20 @@ class Splines(DocumentCase):
         with self.assertRaisesRegex(ValueError, "Tension has 2 numbers for 5 points"):
             curves.make("Spline", vertices(WAVE), tension=[0, 1])
 
+    def test_inflections_and_extrema_do_not_depend_on_the_plane(self):
+        for place in (TURNED, App.Placement(App.Vector(0, 7, 0), App.Rotation(0, 0, 90))):
+            turned = [place.multVec(App.Vector(*point)) for point in WAVE]
+            for family in (NU, BETA, GAMMA):
+                level, other = (
+                    curves.make("Spline", vertices(points), family=family).report
+                    for points in (WAVE, turned)
+                )
+                self.assertGreater(level["inflections"], 0)
+                for name in ("inflections", "extrema"):
+                    self.assertEqual(other[name], level[name], (family, name))
+        bent = [(x, y, 0.1 * x * y) for x, y, _ in WAVE]
+        self.assertEqual(curves.make("Spline", vertices(bent)).report["inflections"], 0)
+
     def test_a_closed_spline_of_equal_points_is_symmetric(self):
         """Tension at the first point of a ring counts once, as at all others."""
         ring = vertices([(math.cos(k), math.sin(k), 0) for k in numpy.arange(6) * math.pi / 3])
@@ -365,6 +379,17 @@ class Bridges(DocumentCase):
         self.assertAlmostEqual(
             edge.curvatureAt(end), other.curvatureAt(other.FirstParameter), delta=1e-9
         )
+
+    def test_an_s_between_lines_has_one_inflection_in_every_plane(self):
+        lines = [
+            Part.makeLine(App.Vector(), App.Vector(10, 0, 0)),
+            Part.makeLine(App.Vector(20, 5, 0), App.Vector(30, 5, 0)),
+        ]
+        for place in (App.Placement(), TURNED):
+            turned = [Part.makeLine(*(place.multVec(v.Point) for v in each.Vertexes))
+                      for each in lines]
+            made = curves.make("BridgeCurve", turned, first_order="G1", second_order="G1")
+            self.assertEqual(made.report["inflections"], 1)
 
     def test_other_ends(self):
         one = Part.makeLine(App.Vector(), App.Vector(10, 0, 0))

@@ -8,6 +8,7 @@ import numpy
 import Part
 
 from freecad.seamwright.document.curves.inputs import GAP_MM
+from freecad.seamwright.document.curves.plane import Plane
 from freecad.seamwright.plain.language import tr
 
 #: Arcs that turn by less than this are drawn as lines if these are within a tenth of the tolerance:
@@ -16,6 +17,9 @@ LEAST_TURN_RAD = 1e-5
 
 #: Derivatives on both sides of a knot that differ by less than this part of them are the same.
 SAME_DERIVATIVE = 1e-9
+
+#: Distances from a plane below this part of the coordinates are their rounding.
+FLAT_SHARE = 1e-12
 
 
 def wire_of(edges):
@@ -97,13 +101,28 @@ def _is_smooth(spline, before, after, place):
 
 
 def figures(module, curve, length_mm):
-    """Return {length_mm, extrema, inflections} of a curve; at joints extrema count too."""
-    found = module.curvature_variation(curve)
+    """Return {length_mm, extrema, inflections} of a curve; at joints extrema count too.
+
+    Inflections are those of curves in a plane, whatever its position.
+    """
+    found = module.curvature_variation(_level(module, curve))
     return {
         "length_mm": float(length_mm),
         "extrema": found.extrema + found.extrema_at_joints,
         "inflections": found.inflections,
     }
+
+
+def _level(module, curve):
+    """Return a curve of a plane in z = 0, where its curvature has a sign; another one as it is."""
+    poles = numpy.asarray(curve.poles)
+    plane = Plane.through(poles)
+    _, distance = plane.coordinates(poles)
+    if distance > FLAT_SHARE * abs(poles).max():
+        return curve
+    if isinstance(curve, module.BezierCurve):
+        curve = module.BezierSpline.from_segments([curve], [0.0, 1.0], False, GAP_MM)
+    return flattened(module, curve, plane)
 
 
 def surface_shape(surfaces, gap_mm):

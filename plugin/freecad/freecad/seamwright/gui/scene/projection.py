@@ -55,13 +55,19 @@ class Projection:
         return (self._eye + offset, -back) if self._is_flat else (self._eye, offset - back)
 
     def on_plane(self, pixel, point, normal):
-        """Return the point of a plane that is seen at a pixel; None where there is none."""
+        """Return the point of a plane that is seen at a pixel; None where there is none.
+
+        Where the normal is an axis, the point has exactly the coordinate of the plane.
+        """
         start, direction = self.ray(pixel)
         slope = direction @ normal
         if abs(slope) < 1e-9:
             return None
         along = (numpy.asarray(point, float) - start) @ normal / slope
-        return start + along * direction if self._is_flat or along > 0 else None
+        if not self._is_flat and along <= 0:
+            return None
+        found = start + along * direction
+        return found + ((point - found) @ normal) * normal
 
     def along_line(self, pixel, point, step):
         """Return the number at which point + number step is nearest to what is seen at a pixel."""
