@@ -113,6 +113,7 @@ class Panel(SurfaceWindow):
         self.assertGreater(count(picture("umbrella-row"), INK), before + 20)
         panel.zebra.setChecked(True)
         settle()
+        self.assertEqual(zebra.objects(self.doc), [obj])  # the edges of the sources stay seen
         whole_window("umbrella")
         self.set_field(panel, "open", True)
         self.assertEqual((panel.table.rowCount(), len(obj.Shape.Faces)), (3, 4))

@@ -12,7 +12,7 @@ from freecad.seamwright.plain.language import tr
 SIZE = 1060, 760
 
 #: Pixels of the contents and of the page.
-WIDTHS = 240, 820
+WIDTHS = 240, 860
 
 #: Room beside a picture, in pixels.
 MARGIN = 40

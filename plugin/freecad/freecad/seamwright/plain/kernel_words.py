@@ -11,7 +11,8 @@ NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 #: Numbers that a sentence compares with the one that it names: "G1 allows 0.0017".
 LIMIT = r"(allows|at least|at most) (%s)(?! ?mm)" % NUMBER
 
-#: How faces were matched; the group is the depth of the change in mm.
+#: How faces were matched. The group is the depth of the change in mm.
+JOINED_IN_POLES = r"joined in poles(?:, inner knots along the seam repeated \w+ more)?"
 JOINED_NEAR_THE_SEAM = r"joined to the tolerance by a change up to (\S+) mm from the side"
 
 #: Arguments of the kernel that the panels have no field for.

@@ -273,7 +273,7 @@ class ResultPanel:
 
     def abandoned(self, why):
         """Say why a computation has no result."""
-        self.say(why + tr(OLD_RESULTS if self.obj.Report else NO_RESULTS))
+        self.say(why + tr(OLD_RESULTS if self.has_result() else NO_RESULTS))
 
     def reload(self):
         """Show the object as it is now, after a change from outside such as an undo."""

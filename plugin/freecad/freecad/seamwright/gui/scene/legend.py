@@ -9,7 +9,13 @@ import weakref
 
 from pivy import coin
 
-from freecad.seamwright.gui.scene.overlay import outside_bounding_box, set_image, unlit_unpickable
+from freecad.seamwright.gui.scene.overlay import (
+    outside_bounding_box,
+    painted,
+    pixel_ratio,
+    set_image,
+    unlit_unpickable,
+)
 from freecad.seamwright.gui.widgets.later import find
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
 
@@ -67,11 +73,11 @@ class Legend:
         )
 
     def put(self, top):
-        """Draw the legend this many pixels lower; return where the next one begins."""
+        """Draw the legend this many pixels of the screen lower; return where the next one begins."""
         if self._place != top:
             self._place = top
             set_image(self._image, _lowered(self._picture, top))
-        return top + self._picture.height() + GAP_PX
+        return top + self._picture.height() + round(GAP_PX * pixel_ratio())
 
 
 def _stack(doc_name):
@@ -117,49 +123,64 @@ def _overlay(child):
 
 def draw(title, entries, footer, text_px, scale=()):
     """Return the legend as a QImage; ``text_px`` is the height of its letters in pixels."""
-    font = QtGui.QFont("Sans Serif")
-    font.setPixelSize(text_px)
-    bold = QtGui.QFont(font)
-    bold.setBold(True)
-    line = int(1.6 * text_px)
-    pad, bar = text_px, 3 * text_px
-    name_width = max([_width(bold, name) for _, name, _ in entries] + [0])
-    meaning_x = pad + bar + pad + name_width + pad
-    meaning_width = max([_width(font, meaning) for _, _, meaning in entries] + [0])
-    last = footer.split("\n") if footer else []
-    right = max(
-        meaning_x + meaning_width,
-        pad + _width(bold, title),
-        *(pad + _width(font, text) for text in last)
-    )
-    height = (len(entries) + 1 + len(last)) * line + 2 * pad
-    image = QtGui.QImage(right + pad, height, QtGui.QImage.Format_ARGB32)
-    image.fill(QtGui.QColor(*PANEL))
-    painter = QtGui.QPainter(image)
-    painter.setRenderHint(QtGui.QPainter.TextAntialiasing)
-    painter.setPen(QtGui.QColor(*BORDER))
-    painter.drawRect(0, 0, image.width() - 1, image.height() - 1)
-    pen = _Pen(painter, line)
-    pen.text(bold, pad, pad, title)
-    first = pad + line + line // 2
-    if len(scale):
-        _draw_scale(painter, QtCore.QRect(pad, first, bar, (len(entries) - 1) * line), scale)
-    for index, (seam_class, name, meaning) in enumerate(entries, 1):
-        top = pad + index * line
-        thick = text_px // 2
+    page = _Page(title, entries, footer, text_px)
+    return painted(page.width, page.height, lambda painter: page.paint(painter, scale))
+
+
+class _Page:
+    """The places of the parts of a legend."""
+
+    def __init__(self, title, entries, footer, text_px):
+        self.title, self.entries = title, entries
+        self.last = footer.split("\n") if footer else []
+        self.font = QtGui.QFont("Sans Serif")
+        self.font.setPixelSize(text_px)
+        self.bold = QtGui.QFont(self.font)
+        self.bold.setBold(True)
+        self.line, self.pad, self.bar, self.thick = (
+            int(1.6 * text_px), text_px, 3 * text_px, text_px // 2
+        )  # fmt: skip
+        names = max([_width(self.bold, name) for _, name, _ in entries] + [0])
+        self.name_x = 2 * self.pad + self.bar
+        self.meaning_x = self.name_x + names + self.pad
+        right = max(
+            self.meaning_x + max([_width(self.font, text) for *_, text in entries] + [0]),
+            self.pad + _width(self.bold, title),
+            *(self.pad + _width(self.font, text) for text in self.last)
+        )
+        self.width = right + self.pad
+        self.height = (len(entries) + 1 + len(self.last)) * self.line + 2 * self.pad
+
+    def paint(self, painter, scale):
+        """Paint the legend; ``scale``: the colours of a continuous one."""
+        painter.fillRect(0, 0, self.width, self.height, QtGui.QColor(*PANEL))
+        painter.setRenderHint(QtGui.QPainter.TextAntialiasing)
         painter.setPen(QtGui.QColor(*BORDER))
+        painter.drawRect(0, 0, self.width - 1, self.height - 1)
+        pen = _Pen(painter, self.line)
+        pen.text(self.bold, self.pad, self.pad, self.title)
         if len(scale):
-            painter.drawLine(pad, top + line // 2, pad + bar + pad // 2, top + line // 2)
-        else:
-            colour = QtGui.QColor(*seam_class.rgb)
-            painter.fillRect(pad, top + (line - thick) // 2, bar, thick, colour)
-            painter.drawRect(pad, top + (line - thick) // 2, bar, thick)
-        pen.text(bold, pad + bar + pad, top, name)
-        pen.text(font, meaning_x, top, meaning)
-    for index, text in enumerate(last, len(entries) + 1):
-        pen.text(font, pad, pad + index * line, text)
-    painter.end()
-    return image
+            first = self.pad + self.line + self.line // 2
+            length = (len(self.entries) - 1) * self.line
+            _draw_scale(painter, QtCore.QRect(self.pad, first, self.bar, length), scale)
+        for index, (sample, name, meaning) in enumerate(self.entries, 1):
+            top = self.pad + index * self.line
+            self._paint_sample(painter, top, None if len(scale) else sample)
+            pen.text(self.bold, self.name_x, top, name)
+            pen.text(self.font, self.meaning_x, top, meaning)
+        for index, text in enumerate(self.last, len(self.entries) + 1):
+            pen.text(self.font, self.pad, self.pad + index * self.line, text)
+
+    def _paint_sample(self, painter, top, sample):
+        """Paint the colour of an entry, or its mark at a continuous scale."""
+        painter.setPen(QtGui.QColor(*BORDER))
+        if sample is None:
+            middle = top + self.line // 2
+            painter.drawLine(self.pad, middle, self.pad + self.bar + self.pad // 2, middle)
+            return
+        area = QtCore.QRect(self.pad, top + (self.line - self.thick) // 2, self.bar, self.thick)
+        painter.fillRect(area, QtGui.QColor(*sample.rgb))
+        painter.drawRect(area)
 
 
 def _draw_scale(painter, area, scale):

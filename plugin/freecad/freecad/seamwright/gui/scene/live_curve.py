@@ -4,6 +4,7 @@
 import numpy
 from pivy import coin
 
+from freecad.seamwright.gui.scene import markers
 from freecad.seamwright.gui.scene.comb import COLOURS, LIFT
 from freecad.seamwright.gui.scene.halo import nearer
 from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unpickable
@@ -11,13 +12,13 @@ from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unp
 LINE_COLOUR, LINE_WIDTH = (0.84, 0.1, 0.45), 2.5
 STALK_COLOUR = (0.35, 0.4, 0.45)
 
-#: The look of each kind of handle: marker of Coin, colour.
+#: The look of each kind of handle: marker, colour.
 POINT, TENSION, TANGENT, SNAP = "point", "tension", "tangent", "snap"
 LOOKS = {
-    POINT: (coin.SoMarkerSet.CIRCLE_FILLED_9_9, (0.0, 0.32, 0.62)),
-    TENSION: (coin.SoMarkerSet.DIAMOND_FILLED_9_9, (0.0, 0.62, 0.45)),
-    TANGENT: (coin.SoMarkerSet.SQUARE_FILLED_9_9, (0.6, 0.25, 0.65)),
-    SNAP: (coin.SoMarkerSet.CIRCLE_LINE_9_9, (0.84, 0.1, 0.45)),
+    POINT: (markers.CIRCLE, (0.0, 0.32, 0.62)),
+    TENSION: (markers.DIAMOND, (0.0, 0.62, 0.45)),
+    TANGENT: (markers.SQUARE, (0.6, 0.25, 0.65)),
+    SNAP: (markers.RING, (0.84, 0.1, 0.45)),
 }
 
 
@@ -88,7 +89,7 @@ class _Markers:
         colour = coin.SoBaseColor()
         colour.rgb = rgb
         self._points, self._set = coin.SoCoordinate3(), coin.SoMarkerSet()
-        self._set.markerIndex = marker
+        self._set.markerIndex = markers.index(marker)
         self._set.numPoints = 0
         for node in (colour, self._points, self._set):
             parent.addChild(node)

@@ -3,7 +3,12 @@
 
 from pivy import coin
 
-from freecad.seamwright.gui.scene.overlay import outside_bounding_box, set_image, unlit_unpickable
+from freecad.seamwright.gui.scene.overlay import (
+    outside_bounding_box,
+    painted,
+    set_image,
+    unlit_unpickable,
+)
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
 
 RING_PX, TEXT_PX = 23, 13
@@ -46,16 +51,15 @@ def _image(picture, horizontal, vertical):
 
 def draw_ring():
     """Return a QImage of a dark ring between two light ones, visible on any background."""
-    image = QtGui.QImage(RING_PX, RING_PX, QtGui.QImage.Format_ARGB32)
-    image.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(image)
-    painter.setRenderHint(QtGui.QPainter.Antialiasing)
     middle = QtCore.QPointF(RING_PX / 2, RING_PX / 2)
-    for colour, width in ((PAPER, 6), (INK, 2.5)):
-        painter.setPen(QtGui.QPen(QtGui.QColor(*colour), width))
-        painter.drawEllipse(middle, RING_PX / 2 - 4, RING_PX / 2 - 4)
-    painter.end()
-    return image
+
+    def paint(painter):
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        for colour, width in ((PAPER, 6), (INK, 2.5)):
+            painter.setPen(QtGui.QPen(QtGui.QColor(*colour), width))
+            painter.drawEllipse(middle, RING_PX / 2 - 4, RING_PX / 2 - 4)
+
+    return painted(RING_PX, RING_PX, paint)
 
 
 def draw_label(text):
@@ -65,14 +69,13 @@ def draw_label(text):
     font.setBold(True)
     width = QtGui.QFontMetrics(font).boundingRect(text).width() + TEXT_PX
     left, height = RING_PX // 2 + GAP_PX, int(1.6 * TEXT_PX)
-    image = QtGui.QImage(left + width, height, QtGui.QImage.Format_ARGB32)
-    image.fill(QtCore.Qt.transparent)
-    painter = QtGui.QPainter(image)
-    painter.setFont(font)
-    painter.setPen(QtGui.QColor(*INK))
     box = QtCore.QRect(left, 0, width - 1, height - 1)
-    painter.fillRect(box, QtGui.QColor(*PAPER))
-    painter.drawRect(box)
-    painter.drawText(box, QtCore.Qt.AlignCenter, text)
-    painter.end()
-    return image
+
+    def paint(painter):
+        painter.setFont(font)
+        painter.setPen(QtGui.QColor(*INK))
+        painter.fillRect(box, QtGui.QColor(*PAPER))
+        painter.drawRect(box)
+        painter.drawText(box, QtCore.Qt.AlignCenter, text)
+
+    return painted(left + width, height, paint)

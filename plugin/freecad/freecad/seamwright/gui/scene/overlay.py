@@ -1,9 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Images of fixed size in the scene, drawn over the model."""
 
+import math
+
 from pivy import coin
 
-from freecad.seamwright.gui.widgets.qt import QtGui
+from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
+
+
+def pixel_ratio():
+    """Return how many pixels of the screen are one of the window."""
+    return QtGui.QGuiApplication.instance().devicePixelRatio()
+
+
+def painted(width, height, paint):
+    """Return the QImage that ``paint(painter)`` draws on a transparent ground.
+
+    ``width``, ``height`` and what is painted are in pixels of the window; the image has those of
+    the screen.
+    """
+    ratio = pixel_ratio()
+    image = QtGui.QImage(
+        math.ceil(width * ratio), math.ceil(height * ratio), QtGui.QImage.Format_ARGB32
+    )
+    image.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(image)
+    painter.scale(ratio, ratio)
+    paint(painter)
+    painter.end()
+    return image
 
 
 def set_image(node, picture):

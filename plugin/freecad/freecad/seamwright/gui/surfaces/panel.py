@@ -10,6 +10,7 @@ from freecad.seamwright.document.surfaces.surface import Surface
 from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
 from freecad.seamwright.gui.base.row_table import INKS
 from freecad.seamwright.gui.base.source_box import SourceBox
+from freecad.seamwright.gui.scene.substitutes import local_shape
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import ink, messages
 from freecad.seamwright.gui.widgets.forms import make_box, make_text, name_columns, show_seams_in
@@ -105,7 +106,8 @@ class SurfacePanel(OptionPanel):
     def _show_marks(self):
         """Name the sides in the view, and mark the worst points of the chosen seams."""
         report = report_of(self.obj)
-        marks = [] if self._ended else list(self.obj.Proxy.marks(report))
+        sides = [] if self._ended else self.obj.Proxy.marks(report)
+        marks = [(point, tr(name)) for point, name in sides]
         chosen = {index.row() for index in self.table.selectedIndexes()} if marks else ()
         for place in (place for line in chosen for place in self._rows[line].seams):
             seam = report["seams"][place]
@@ -133,8 +135,8 @@ class SurfacePanel(OptionPanel):
             zebra.hide(self._striped)
             self._striped = []
             return
-        fresh = [self.obj, *self.sources()]
-        fresh = [each for each in fresh if each not in zebra.objects(self._doc)]
+        beside = [each for each in self.sources() if local_shape(each).Faces]
+        fresh = [each for each in [self.obj, *beside] if each not in zebra.objects(self._doc)]
         if zebra.show(fresh):
             self._striped = fresh
 
