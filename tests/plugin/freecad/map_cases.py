@@ -122,6 +122,16 @@ class DraftAndLines(unittest.TestCase):
         _, found = values("DraftAngle", cone, pull=[1, 0, 0])
         self.assertAlmostEqual(abs(found[side]).max(), 90 - angle, delta=1)
 
+    def test_shares_of_a_ball_and_a_torus_are_those_of_the_area(self):
+        for limit in (3, 30):
+            shares = kinds.make(
+                "DraftAngle", Part.makeSphere(8), towards_deg=limit, away_deg=limit
+            ).report["shares"]
+            self.assertAlmostEqual(shares["steep"], math.sin(math.radians(limit)), delta=2e-3)
+            self.assertAlmostEqual(shares["towards"], shares["away"], delta=2e-3)
+        shares = kinds.make("DraftAngle", Part.makeTorus(20, 5)).report["shares"]
+        self.assertAlmostEqual(shares["steep"], 6 / 180, delta=4e-3)
+
     def test_isophotes_of_a_sphere_are_its_latitudes(self):
         mesh, found = values("ReflectionLines", Part.makeSphere(8), lines="Isophotes")
         latitudes = numpy.degrees(numpy.arccos(numpy.clip(mesh.points[:, 2] / 8, -1, 1)))

@@ -93,6 +93,24 @@ def highlight_positions(points, normals, along, towards, distance_mm, spacing_mm
     return numpy.where(numpy.isfinite(found) & (abs(rise) > 1e-9), found, numpy.nan)
 
 
+def area_above(points, triangles, values, limit):
+    """Return (area where linear values of triangles are at least a limit, area of all of them).
+
+    ``points`` (n, 3), ``triangles`` (m, 3): indices of points, ``values`` (n,). Triangles with an
+    unknown value are left out.
+    """
+    corners = numpy.sort(values[triangles], axis=1)
+    known = numpy.isfinite(corners).all(axis=1)
+    low, middle, high = corners[known].T
+    a, b, c = (points[triangles[known, k]] for k in range(3))
+    areas = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1) / 2
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        below = (limit - low) ** 2 / ((middle - low) * (high - low))
+        above = (high - limit) ** 2 / ((high - low) * (high - middle))
+    shares = numpy.select([limit <= low, limit > high, limit <= middle], [1.0, 0.0, 1 - below], above)
+    return float(areas @ shares), float(areas.sum())
+
+
 def extremes(values, points):
     """Return {"least", "largest", "least_at", "largest_at"}; None without a finite value."""
     known = numpy.flatnonzero(numpy.isfinite(values))

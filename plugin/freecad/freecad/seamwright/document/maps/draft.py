@@ -6,9 +6,12 @@ The class path is written into documents: neither rename nor move it.
 
 import numpy
 
-from freecad.seamwright.document.maps.surface_map import SurfaceMap, joined, weights
+from freecad.seamwright.document.maps.surface_map import SurfaceMap, joined
 from freecad.seamwright.plain import map_text, maps, ramps
 from freecad.seamwright.plain.options import ANGLE, NUMBERS, Option
+
+#: Rounding of sines of angles: a face with exactly the least draft has it.
+SLACK = 1e-9
 
 
 class DraftAngle(SurfaceMap):
@@ -50,15 +53,28 @@ class DraftAngle(SurfaceMap):
     @classmethod
     def report(cls, found, values):
         """Return the extremes, and the shares of the area of the three classes."""
-        report, angles, areas = super().report(found, values), joined(found), weights(found)
-        total = areas.sum() or 1.0
-        with numpy.errstate(invalid="ignore"):
-            towards, away = angles >= values["towards_deg"], angles <= -values["away_deg"]
-        shares = {"towards": areas[towards].sum(), "away": areas[away].sum()}
-        shares["steep"] = areas.sum() - shares["towards"] - shares["away"]
-        return {**report, "shares": {key: float(area / total) for key, area in shares.items()}}
+        parts = numpy.sum([_areas(each, values) for each in found], axis=0)
+        towards, away, whole = parts / max(parts[2], 1e-300)
+        shares = {"towards": towards, "away": away, "steep": max(whole - towards - away, 0.0)}
+        return {
+            **super().report(found, values),
+            "shares": {key: float(share) for key, share in shares.items()},
+        }
 
     @classmethod
     def text(cls, report):
         """Return the summary of a report."""
         return map_text.draft_text(report)
+
+
+def _areas(mapped, values):
+    """Return the areas of Values that draft towards the pull, away from it, and in all.
+
+    On a ball the sine of the draft angle is linear, so that its triangles are divided exactly.
+    """
+    sines = numpy.sin(numpy.radians(mapped.values))
+    limits = numpy.sin(numpy.radians([values["towards_deg"], values["away_deg"]])) - SLACK
+    mesh = mapped.mesh
+    towards, whole = maps.area_above(mesh.points, mesh.triangles, sines, limits[0])
+    away, _ = maps.area_above(mesh.points, mesh.triangles, -sines, limits[1])
+    return towards, away, whole
