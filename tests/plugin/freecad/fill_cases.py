@@ -208,6 +208,20 @@ class Holes(FillCase):
         centres = sorted(tuple(round(each, 9) for each in hole["centre_mm"]) for hole in holes)
         self.assertEqual(centres, [(5, 5, 0), (5, 5, 30)])
 
+    def test_both_ends_of_a_tube_of_one_face(self):
+        tube = models.add(self.doc, Part.makeCylinder(10, 30).Faces[0], "Tube")
+        obj = fill.create(tube, target="G0")
+        self.assertEqual((obj.Filled, obj.NewFaces), (2, 2), obj.Summary)
+        self.assertAlmostEqual(obj.Shape.Volume, 3000 * math.pi, delta=1e-3)
+
+    def test_outlines_of_separate_faces_are_no_holes(self):
+        faces = [each.copy() for each in Part.makeBox(10, 10, 10).Faces]
+        loose = models.add(self.doc, Part.Compound(faces), "Loose")
+        obj = fill.create(loose)
+        self.assertIn("The 6 faces of Loose share no edges", fill.error_text(obj) or obj.Summary)
+        self.assertEqual((obj.Filled, obj.Shape.isNull()), (0, True))
+        self.assertEqual(fill.create(loose, edges=["Edge1"], target="G0").Wanted, 1)
+
     def test_a_hole_that_fails_does_not_hold_up_the_others(self):
         sharp = Part.makeShell(
             Part.makeBox(10, 10, 10).Faces[1:]

@@ -106,7 +106,7 @@ def test_sentences():
     }
     assert curve_text.arcs_text(report) == (
         "1 arc and 2 lines for 2 curves, 50 mm long, at most 0.00991 mm from the input (proven); "
-        "at least 3 arcs are needed."
+        "no fewer than 3 arcs will do."
     )
     of_samples = {**report, "curves": 1, "least_arcs": 0}
     assert curve_text.arcs_text(of_samples) == (

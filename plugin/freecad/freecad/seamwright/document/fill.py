@@ -198,7 +198,7 @@ def fill_job(module, obj, private=False):
 
     def run(progress):
         model = make()
-        holes = [] if faces else _holes(model, limits, label, edges)[1]
+        holes = [] if faces else _holes(model, shape, limits, label, edges)[1]
         wanted = [{"face": number} for number in faces] or [{"hole": hole["id"]} for hole in holes]
         outlines = {hole["id"]: fill_text.edges_of(hole) for hole in holes}
         return _fill_each(model, given, wanted, keep_anyway, progress), outlines
@@ -326,15 +326,26 @@ def _joined(entries, shapes):
     return entries[::-1], last
 
 
-def _holes(model, limits, label, edges):
+def _holes(model, shape, limits, label, edges):
     """Return (all holes, the holes that are to be filled).
 
-    Raises ValueError where the model has no hole, and for edges that belong to no hole.
+    Raises ValueError where the model has no hole, or only outlines of separate faces, and for edges
+    that belong to no hole.
     """
     holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
     if not holes:
         raise ValueError(no_hole_text(label))
-    return holes, fill_text.chosen_holes(holes, edges) if edges else fill_text.default_holes(holes)
+    if edges:
+        return holes, fill_text.chosen_holes(holes, edges)
+    around = {number for hole in holes for number in fill_text.edges_of(hole)}
+    if 1 < len(shape.Faces) == len(holes) and len(around) == len(shape.Edges):
+        raise ValueError(
+            tr(
+                "The {faces} faces of {label} share no edges, so that their outlines are no holes: "
+                "sew them first, with Repair Seams for example, or select the edges of a hole."
+            ).format(faces=len(shape.Faces), label=label)
+        )
+    return holes, fill_text.default_holes(holes)
 
 
 def no_hole_text(label):
@@ -374,8 +385,11 @@ def _renumber(entry, shape, last):
         )
         seam["edges"] = [index + 1]
         seam["faces"] = faces[last.Edges[index].hashCode()]
-    inside = [seam["faces"] for seam in entry["seams"] if seam["between"] == fill_text.INSIDE]
-    entry["faces"] = sorted({number for both in inside for number in both})
+    centres = [face.CenterOfMass for face in last.Faces]
+    for place, number in enumerate(entry["faces"]):
+        centre = shape.Faces[number - 1].CenterOfMass
+        ways = [each.distanceToPoint(centre) for each in centres]
+        entry["faces"][place] = 1 + ways.index(min(ways))
 
 
 def _middle(edge):
@@ -392,7 +406,7 @@ def holes_of(obj):
         shape = elements.source_shape(obj)
         edges = elements.numbers(obj, shape, "Edges", "Edge")
         model = module.Model.from_freecad(shape)
-        holes, wanted = _holes(model, tolerances(obj), obj.Source.Label, edges)
+        holes, wanted = _holes(model, shape, tolerances(obj), obj.Source.Label, edges)
     except (sources.SourceError, module.ModelError, ValueError) as error:
         return [], [], repair_text.named(str(error))
     return holes, [hole["id"] for hole in wanted], ""

@@ -48,7 +48,7 @@ def arcs_text(report):
     text = capital(text)
     if not report["least_arcs"]:
         return text + tr(": the points are samples of these.")
-    return text + tr(" (proven); at least {least_arcs} are needed.").format(
+    return text + tr(" (proven); no fewer than {least_arcs} will do.").format(
         least_arcs=counted(report["least_arcs"], "arc")
     )
 
