@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 #include <seamwright/core/blend/frame_sheet.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
@@ -103,6 +104,8 @@ struct LoftArguments {
   FrameLoftOptions options(const GivenFrames& given) const {
     FrameLoftOptions result;
     result.order = wholeNumber("order", order);
+    if (given.blend) result.joint_orders = given.blend->blend.orders();
+    for (int& joint_order : result.joint_orders) joint_order = std::min(joint_order, result.order);
     result.tolerance_mm = numberOf("tolerance_mm", tolerance_mm);
     result.stations = stations.is_none() ? innerKeys(given) : listOf("stations", stations);
     result.kinks = kinks.is_none() ? innerKinks(given) : listOf("kinks", kinks);
@@ -252,6 +255,7 @@ void bindFrameLoft(py::module_& module) {
              py::arg("progress") = py::none(),
              R"(The surface through frames, G^order across the lines of joints: a FrameLoft.
 
+Across a joint that a SplineBlend keeps at a lower order, it has that order.
 frames: a SplineBlend, or a callable that returns the curve at omega; all have the same degree and
 number of segments. omegas: the range (first, last); None: that of the SplineBlend. Spans are halved
 while a frame is farther than tolerance_mm from its iso-curve, up to max_spans. stations: omegas at

@@ -251,6 +251,16 @@ class Umbrellas(FreeSurfaceCase):
         self.assertNotIn("rad ", obj.Summary)
 
 
+def ring(a, b, height, count=12):
+    """A closed spline through points of an ellipse."""
+    angles = [2 * math.pi * number / count for number in range(count)]
+    curve = Part.BSplineCurve()
+    curve.interpolate(
+        [V(a * math.cos(t), b * math.sin(t), height) for t in angles], PeriodicFlag=True
+    )
+    return curve.toShape()
+
+
 class Lofts(FreeSurfaceCase):
     def sections(self):
         return self.add([section(height, bend) for height, bend in ((0, 5), (15, 8), (40, 3))])
@@ -271,6 +281,19 @@ class Lofts(FreeSurfaceCase):
         circle = Part.makeCircle(5, V(0, 0, 20))
         obj = kinds.create("FrameLoft", self.add([square, circle]))
         self.assertEqual((kinds.error_text(obj), len(obj.Shape.Faces)), ("", 4))
+
+    def test_closed_splines_whose_curvature_jumps_where_they_close(self):
+        """OpenCASCADE's periodic interpolation is only C1 at its first point."""
+        for radii in ([(30, 20)] * 3, [(30, 20), (25, 15), (20, 10)]):
+            curves = [ring(*each, 20 * place) for place, each in enumerate(radii)]
+            ends = curves[0].ParameterRange
+            jump = abs(curves[0].curvatureAt(ends[0]) - curves[0].curvatureAt(ends[1]))
+            self.assertGreater(jump, 1e-3)
+            obj = kinds.create("FrameLoft", self.add(curves))
+            self.assertMade(obj, 1)
+            for curve in curves:
+                self.assertLess(distance_from(curve, obj.Shape), 1e-3)
+            self.assertTrue(all(row["target"] == "G2" for row in report_of(obj)["seams"]))
 
     def test_one_curve_is_refused(self):
         with self.assertRaisesRegex(ValueError, "only one curve: choose two or more"):

@@ -157,16 +157,20 @@ class BlendCurves(Curve):
 
 def _lofts(module, blend, order, tolerance_mm, progress):
     """Return the FrameLofts of the parts of frames between joints of a lower order."""
-    count = blend.frame_at(blend.omegas[0]).curve.segments
-    lower = [joint for joint, own in enumerate(blend.orders[: count - 1], 1) if own < order]
-    ends = [0, *lower, count]
-    span = blend.omegas[0], blend.omegas[-1]
-    inner = blend.omegas[1:-1]
+    first = blend.frame_at(blend.omegas[0]).curve
+    count = first.segments
+    ends = [joint for joint, own in enumerate(blend.orders, 1) if own < order]
+    whole = not ends
+    if first.closed:
+        ends = [*ends, ends[0] + count] if ends else [0, count]
+    else:
+        ends = [0, *ends, count]
+    span, inner = (blend.omegas[0], blend.omegas[-1]), blend.omegas[1:-1]
     lofts = []
-    for place, (first, last) in enumerate(zip(ends, ends[1:])):
+    for place, part in enumerate(zip(ends, ends[1:])):
         frames, given = (blend, {})
-        if lower:
-            frames = _part(module, blend, first, last)
+        if not whole:
+            frames = _part(module, blend, *part)
             given = {"omegas": span, "stations": inner}
         share = _share(progress, place, len(ends) - 1)
         lofts.append(
@@ -185,12 +189,20 @@ def _lofts(module, blend, order, tolerance_mm, progress):
 
 
 def _part(module, blend, first, last):
-    """Return a callable(omega) -> BezierSpline of the segments first to last of the frame."""
+    """Return a callable(omega) -> BezierSpline of the segments first to last of the frame.
+
+    Segments of a closed frame go on after its end.
+    """
 
     def frame(omega):
         curve = blend.frame_at(omega).curve
-        segments = [curve.segment(place) for place in range(first, last)]
-        return module.BezierSpline.from_segments(segments, curve.knots[first : last + 1])
+        count, period = curve.segments, curve.knots[-1] - curve.knots[0]
+        segments = [curve.segment(place % count) for place in range(first, last)]
+        knots = [
+            curve.knots[place % count] + place // count * period
+            for place in range(first, last + 1)
+        ]
+        return module.BezierSpline.from_segments(segments, knots)
 
     return frame
 
