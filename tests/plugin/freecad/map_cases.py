@@ -209,6 +209,27 @@ class Deviations(unittest.TestCase):
             face.copy() for face in box.Faces
         ], False)).all())
 
+    def test_of_a_sheet_beside_another_one_no_foot_is_on_a_free_edge(self):
+        surface = Part.BSplineSurface()
+        surface.interpolate(
+            [
+                [App.Vector(10 * i, 10 * j, 0.5 * (i - 1.5) ** 2 * (1 + j)) for j in range(5)]
+                for i in range(5)
+            ]
+        )
+        face, beyond = surface.toShape(), 0
+        for move in (App.Vector(41, 3, 1), App.Vector(-44, -7, 2), App.Vector(60, 50, -3)):
+            other = face.copy()
+            other.translate(move)
+            made = deviation.measure(other, face)
+            beyond += made.report["beyond"]
+            for place in numpy.flatnonzero(numpy.isfinite(made.found[0].values)):
+                point = App.Vector(*made.found[0].mesh.points[place])
+                distance, _, (support, *_) = face.distToShape(Part.Vertex(point))
+                self.assertEqual(support[0], "Face")
+                self.assertAlmostEqual(abs(made.found[0].values[place]), distance, delta=1e-9)
+        self.assertGreater(beyond, 3000)
+
     def test_points_beyond_a_free_edge(self):
         large, small = Part.makePlane(30, 10), Part.makePlane(10, 10)
         large.Placement.Base.z = 2

@@ -12,6 +12,9 @@ from freecad.seamwright.plain.nearest import nearest
 #: the size of a triangle.
 STEPS, SMALL = 12, 1e-9
 
+#: A point of a face this near to an edge, as a share of the size of a triangle, lies on it.
+NEAR_EDGE = 1e-6
+
 #: A foot may be this much further from the start of the steps than the triangle is large.
 REACH = 1.0
 
@@ -70,8 +73,9 @@ def _measured(points, joined, faces, beyond_edges, progress):
     result = numpy.where(outside, found.distances, -found.distances)
     face_of = numpy.searchsorted(first_nodes, nodes[:, 0], side="right") - 1
     sizes = numpy.linalg.norm(numpy.ptp(corners, axis=1), axis=1)[found.triangles]
-    beyond = _beyond(triangles, mesh["points"], found) & _with_free_edge(faces)[face_of]
-    surfaces = [_Surface(face) for face in faces]
+    surfaces = [_Surface(face, edges) for face, edges in zip(faces, _free_edges(faces))]
+    open_faces = numpy.array([bool(surface.free_edges) for surface in surfaces])
+    beyond = _beyond(triangles, mesh["points"], found) & open_faces[face_of]
     flat = numpy.array([surface.flat for surface in surfaces])[face_of]  # triangles are exact there
     steps = numpy.flatnonzero(beyond | ~flat)
     for count, place in enumerate(steps):
@@ -79,12 +83,12 @@ def _measured(points, joined, faces, beyond_edges, progress):
             if not progress(TRIANGLES + (1 - TRIANGLES) * count / len(steps)):
                 return None
         surface = surfaces[face_of[place]]
-        if beyond[place]:
-            result[place] = surface.to_edge(points[place]) if beyond_edges else numpy.nan
-        else:
-            result[place] = surface.distance(
-                points[place], parameters[place], feet[place], normals[place], sizes[place]
-            )
+        distance = None if beyond[place] else surface.distance(
+            points[place], parameters[place], feet[place], normals[place], sizes[place]
+        )
+        if distance is None:
+            distance = surface.to_edge(points[place]) if beyond_edges else numpy.nan
+        result[place] = distance
     return numpy.where(abs(result) < ROUNDING * abs(mesh["points"]).max(), 0.0, result)
 
 
@@ -103,7 +107,8 @@ def _joined(meshes):
 def _beyond(triangles, points, found):
     """Return which nearest points lie on a free edge: on a side that one triangle has alone.
 
-    Faces share no nodes: points at one place count as one.
+    They may be an end of that side and belong to another triangle. Faces share no nodes: points at
+    one place count as one.
     """
     cell = (numpy.ptp(points, axis=0).max() or 1.0) * 1e-9
     cells = numpy.round(points / cell).astype(numpy.int64)
@@ -116,11 +121,15 @@ def _beyond(triangles, points, found):
     )
     free = (counts == 1)[index.ravel()].reshape(-1, 3)
     at_side = found.weights < ON_SIDE  # weight k is zero on side k
-    return (at_side & free[found.triangles]).any(axis=1) & (found.distances > 1e3 * cell)
+    on_free = (at_side & free[found.triangles]).any(axis=1)
+    ends_of_free = numpy.unique(numpy.stack(ends, axis=1)[free])
+    at_corner = found.weights > 1 - ON_SIDE
+    on_free |= (at_corner & numpy.isin(same[found.triangles], ends_of_free)).any(axis=1)
+    return on_free & (found.distances > 1e3 * cell)
 
 
-def _with_free_edge(faces):
-    """Return for each face whether it has an edge that no other face shares.
+def _free_edges(faces):
+    """Return for each face its edges that no other face shares.
 
     Along the other edges, triangles of two faces may lie apart by a gap within the tolerances.
     """
@@ -133,18 +142,18 @@ def _with_free_edge(faces):
                 alike.append((edge, [place]))
             else:
                 known.append(place)
-    found = numpy.zeros(len(faces), bool)
+    found = [[] for _ in faces]
     for edge, places in (entry for alike in owners.values() for entry in alike):
         if len(places) == 1 and not edge.Degenerated and not edge.isSeam(faces[places[0]]):
-            found[places[0]] = True
+            found[places[0]].append(edge)
     return found
 
 
 class _Surface:
     """A face whose surface is evaluated at parameters."""
 
-    def __init__(self, face):
-        self._face, self._surface = face, face.Surface
+    def __init__(self, face, free_edges):
+        self._face, self._surface, self.free_edges = face, face.Surface, free_edges
         u1, u2, v1, v2 = face.ParameterRange
         self._low, self._high = (u1, v1), (u2, v2)
         self.flat = self._surface.TypeId == "Part::GeomPlane"
@@ -154,20 +163,28 @@ class _Surface:
         return float(self._face.distToShape(Part.Vertex(App.Vector(*point)))[0])
 
     def distance(self, point, start, rough, normal, size):
-        """Return the signed distance of a point; ``rough``: its nearest point on the triangles.
+        """Return the signed distance of a point, None if its nearest point is on a free edge.
 
-        Steps on the surface go to its foot. Where they do not end near the triangle, such as at a
-        pole, OpenCASCADE measures.
+        ``rough``: its nearest point on the triangles. Steps on the surface go to its foot. Where
+        they do not end near the triangle, such as at a pole, OpenCASCADE measures.
         """
         point, rough = App.Vector(*point), App.Vector(*rough)
         foot = self._foot(point, start, size)
         if foot is None or foot.distanceToPoint(rough) > REACH * size:
-            foot = self._face.distToShape(Part.Vertex(point))[1][0][0]
+            _, (pair, *_), (support, *_) = self._face.distToShape(Part.Vertex(point))
+            foot = pair[0]
+            if support[0] != "Face" and self._is_free(foot, size):
+                return None
         away = point - foot
         length = away.Length
         return -length if away.dot(App.Vector(*normal)) < 0 else length
 
+    def _is_free(self, foot, size):
+        vertex = Part.Vertex(foot)
+        return any(edge.distToShape(vertex)[0] <= NEAR_EDGE * size for edge in self.free_edges)
+
     def _foot(self, point, start, size):
+        """Return the foot of a point inside of the range; None where the steps do not end there."""
         u, v = (float(each) for each in start)
         surface = self._surface
         for _ in range(STEPS):

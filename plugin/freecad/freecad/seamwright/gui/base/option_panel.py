@@ -201,6 +201,14 @@ class OptionPanel(ResultPanel):
         """Show the shape where there is one."""
         self.obj.ViewObject.Visibility = self.has_result()
 
+    def _handle_size(self):
+        """Return the size for handles: that of the result, or of its sources where it is larger."""
+        box = App.BoundBox()
+        for each in self.sources():
+            box.add(sources.world_shape(each).BoundBox)
+        own = self.obj.Shape.BoundBox.DiagonalLength
+        return min(own, box.DiagonalLength) if box.isValid() else own
+
     def _show_handles(self):
         """Put the handles to the values of their fields; make those that are missing."""
         places = self.obj.Proxy.handles(report_of(self.obj)) if not self._ended else {}
@@ -213,8 +221,7 @@ class OptionPanel(ResultPanel):
             if argument not in self._handles:
                 self._handles[argument] = Handle()
                 root.insertChild(self._handles[argument].node, first_index(self.obj))
-            size = self.obj.Shape.BoundBox.DiagonalLength
-            self._handles[argument].show(origin, step, field.value(), size)
+            self._handles[argument].show(origin, step, field.value(), self._handle_size())
         for argument in [each for each in self._handles if each not in places]:
             root.removeChild(self._handles.pop(argument).node)
         if self._handles:

@@ -95,5 +95,5 @@ class PointTable(QtWidgets.QTableWidget):
         except ValueError:
             length_mm = expressions.evaluated(self._obj, text.lstrip("="), "mm")
         if not math.isfinite(length_mm):
-            raise ValueError("not finite")
+            raise ValueError(tr("must be finite"))
         return length_mm
