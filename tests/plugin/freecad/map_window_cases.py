@@ -470,6 +470,16 @@ class Drawing(MapWindow):
         self.assertGreater(count(picture("draft-seen"), BORDER, corner, reach=2), hidden + MANY)
         self.cancel()
 
+    def test_the_mark_of_what_is_hidden_is_hidden(self):
+        obj, _ = self.start("Deviation", (self.sheets[0], ""), (self.block, ""))
+        self.ok()
+        settle(0.5)
+        marker = obj.ViewObject.Proxy.marker
+        for seen in (True, False, True):
+            self.sheets[0].ViewObject.Visibility = seen
+            settle(0.3)
+            self.assertEqual(marker.count > 0, seen)
+
     def test_two_legends_stand_below_each_other(self):
         found = analysis.create([self.block])
         obj, _ = self.start("DraftAngle", (self.block, ""))

@@ -12,6 +12,7 @@ import FreeCADGui as Gui
 import Part
 
 from freecad.seamwright.document.display_mesh import fault_lines
+from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import combs
 from freecad.seamwright.document.maps.surface_map import SurfaceMap
 from freecad.seamwright.gui.scene import coloured, mapped, shaders
@@ -75,7 +76,7 @@ class FaceColours(Drawing):
 
     def __init__(self, obj):
         super().__init__(obj)
-        self._substitutes = Substitutes(lambda _: None, self._show_legend)
+        self._substitutes = Substitutes(lambda _: None, self._show_beside)
         self._has_legend = False
         self.legend = Legend(obj)
         obj.ViewObject.RootNode.insertChild(self.legend.node, 0)
@@ -111,13 +112,17 @@ class FaceColours(Drawing):
             continuous = look.smooth and len(legend[1]) > 1
             self.legend.update(*legend, LEGEND_TEXT_PX, look.row[::-1] if continuous else ())
         self._has_legend = legend is not None
-        self._show_legend()
+        self._show_beside()
 
-    def _show_legend(self):
-        """Show the legend while something is seen that has its colours."""
-        doc = self.names[0]
-        drawn = self._substitutes.objects(App.getDocument(doc)) if self._has_legend else []
-        self.legend.show(any(each.ViewObject.Visibility for each in drawn))
+    def _show_beside(self):
+        """Show the legend and the marks while something is seen that has the colours."""
+        drawn = self._substitutes.objects(App.getDocument(self.names[0]))
+        seen = any(each.ViewObject.Visibility for each in drawn)
+        self.legend.show(seen and self._has_legend)
+        obj = find(*self.names)
+        if obj is not None and drawn:
+            marks = obj.Proxy.marks(report_of(obj)) if seen else []
+            obj.ViewObject.Proxy.mark([], [], marks)
 
     def _mesh(self, source, mesh):
         """Return the groups of a mesh; they are made once."""

@@ -28,6 +28,11 @@ class Marker:
             overlay.addChild(node)
         self.node = outside_bounding_box(overlay)
 
+    @property
+    def count(self):
+        """The number of marks that are shown."""
+        return self._marks.getNumChildren()
+
     def show(self, marks):
         """Show only these marks, each (point, label); the coordinates of the point are in mm."""
         self._marks.removeAllChildren()
