@@ -55,15 +55,19 @@ Eigen::Vector3d normalOf(const Eigen::Matrix3Xd& directions, bool closed) {
 /// Puts the tangents into the plane and returns their largest angle with it before.
 double flatten(Eigen::Matrix3Xd& tangents, const Eigen::Vector3d& normal, double flat_rad) {
   double largest = 0;
+  Eigen::Index worst = 0;
   for (Eigen::Index i = 0; i < tangents.cols(); ++i) {
     const double height = normal.dot(tangents.col(i));
     const double angle = std::asin(std::min(1.0, std::abs(height) / tangents.col(i).stableNorm()));
-    if (angle > flat_rad)
-      refuse("the tangent of spoke " + std::to_string(i) + " is " + text(angle) +
-             " rad out of the plane of all spokes: at most " + text(flat_rad) + " is allowed");
-    largest = std::max(largest, angle);
+    if (angle > largest) {
+      largest = angle;
+      worst = i;
+    }
     tangents.col(i) -= height * normal;
   }
+  if (largest > flat_rad)
+    refuse("the tangent of spoke " + std::to_string(worst) + " is " + text(largest) +
+           " rad out of the plane of all spokes: at most " + text(flat_rad) + " is allowed");
   return largest;
 }
 

@@ -2,15 +2,18 @@
 #include <fmt/format.h>
 
 #include <BRepGProp.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -232,9 +235,21 @@ class Loops {
       by_faces[groups.of(hole.sides.front().edges.front().use.face)].push_back(&hole);
     for (auto& [group, holes] : by_faces) {
       std::ranges::sort(holes, std::greater{}, &Hole::length_mm);
-      holes.front()->longest =
+      const bool is_longest =
           holes.size() == 1 || holes[0]->length_mm - holes[1]->length_mm > options_.gap_mm;
+      holes.front()->longest = is_longest && !isInsideFaces(*holes.front());
     }
+  }
+
+  /// Whether no edge of the loop is part of the outer boundary of its face.
+  bool isInsideFaces(const Hole& hole) const {
+    for (const HoleSide& side : hole.sides)
+      for (const HoleEdge& edge : side.edges) {
+        const TopoDS_Wire outer = BRepTools::OuterWire(TopoDS::Face(faces_(edge.use.face)));
+        for (TopExp_Explorer it(outer, TopAbs_EDGE); it.More(); it.Next())
+          if (it.Current().IsSame(edge.use.edge)) return false;
+      }
+    return true;
   }
 
   const HoleOptions& options_;

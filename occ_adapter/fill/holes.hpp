@@ -32,7 +32,7 @@ struct Hole {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of mass of the loop as a wire, mm
   /// Whether this is the longest loop, by more than the gap, of those that bound one connected set
   /// of faces. In an open shell it is mostly the outer boundary and not a hole. False for all if
-  /// several are as long.
+  /// several are as long, or if the longest runs along inner boundaries of its faces only.
   bool longest = false;
 };
 

@@ -286,6 +286,8 @@ TEST(UmbrellaVertex, RefusesTangentsThatMakeNoFan) {
   fails({{1, 2, 3}, {-1, -2, -3}, {2, 4, 6}}, "parallel", true);
   fails({{1, 0, 0}, {-1, 2, 0.1}, {-1, -2, 0}, {1, -1, -0.1}}, "out of the plane of all spokes",
         true);
+  fails({{2, 0, 0}, {1, 2, 0.05}, {-1, 2, 0}, {-2, 0, 0}, {-1, -2, 0.6}, {1, -2, 0}},
+        "the tangent of spoke 4 is", true);  // the worst one is named
   fails({{3, 0, 0}, {-3, 0, 0}, {0, -3, 0}, {1, -2, 0}},
         "sector 0, from spoke 0 to 1, has the angle pi", true);
   fails({{3, 0, 0}, {2, 2, 0}, {0, 3, 0}, {-1, 2, 0}},

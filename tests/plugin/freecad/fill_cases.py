@@ -208,6 +208,20 @@ class Holes(FillCase):
         centres = sorted(tuple(round(each, 9) for each in hole["centre_mm"]) for hole in holes)
         self.assertEqual(centres, [(5, 5, 0), (5, 5, 30)])
 
+    def test_holes_inside_of_a_face_are_no_outer_boundaries(self):
+        box = Part.makeBox(40, 40, 10)
+        for radius, x in ((8, 12), (4, 30)):
+            box = box.cut(Part.makeCylinder(radius, 5, App.Vector(x, 20, 7)))
+        tops = [face for face in box.Faces if len(face.Wires) == 3]
+        walls = [face for face in box.Faces if len(face.Edges) == 4 and not face.isSame(tops[0])]
+        walls = [face for face in walls if face.Surface.TypeId == "Part::GeomPlane"]
+        plate = models.add(self.doc, Part.makeShell(tops + walls), "Plate")
+        holes, wanted, text = fill.holes_of(plate)
+        self.assertEqual((len(holes), wanted, text), (2, [1, 2], ""))
+        obj = fill.create(plate, target="G0")
+        self.assertEqual((obj.Filled, obj.NewFaces), (2, 2), obj.Summary)
+        self.assertAlmostEqual(obj.Shape.Volume, 16000, delta=1e-6)
+
     def test_both_ends_of_a_tube_of_one_face(self):
         tube = models.add(self.doc, Part.makeCylinder(10, 30).Faces[0], "Tube")
         obj = fill.create(tube, target="G0")

@@ -127,3 +127,28 @@ class Typing(PanelWindow):
         self.assertEqual(self.obj.Radii[0], 1.5)
         if Gui.Control.activeDialog():
             self.cancel()
+
+
+class Docks(PanelWindow):
+    COMMAND = "Seamwright_AnalyzeSeams"
+
+    def widths(self):
+        docks = Gui.getMainWindow().findChildren(QtWidgets.QDockWidget)
+        return {each.objectName(): each.width() for each in docks if each.isVisible()}
+
+    def test_docks_get_their_width_back(self):
+        models.add(self.doc, models.rounded_block(), "Block")
+        self.doc.recompute()
+        before = self.widths()
+        for command in ("Seamwright_AnalyzeSeams", "Seamwright_DraftAngle"):
+            Gui.Selection.addSelection(self.doc.Block)
+            Gui.runCommand(command)
+            settle(0.5)
+            during = self.widths()
+            Gui.Control.closeDialog()
+            settle(0.5)
+            after = self.widths()
+            for name in before:
+                self.assertAlmostEqual(after[name], before[name], delta=2, msg=name)
+            if not before.keys() & {"Tasks"}:
+                self.assertGreater(max(during.values()), max(before.values()))

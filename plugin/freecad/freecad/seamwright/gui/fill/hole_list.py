@@ -22,6 +22,7 @@ class HoleList(QtWidgets.QListWidget):
         super().__init__()
         self.holes = []
         self.setToolTip(tr("Ticked holes are filled. Click a hole to select its edges."))
+        self.setWordWrap(True)
         self.setFixedHeight(LINES * (self.fontMetrics().height() + 6))
         self.itemChanged.connect(self._ticked)
         self.itemClicked.connect(

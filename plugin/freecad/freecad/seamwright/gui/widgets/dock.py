@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The dock that holds a task panel."""
 
+from typing import Any, NamedTuple
+
 import FreeCADGui as Gui
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
@@ -17,7 +19,8 @@ def dock_of(form):
 def widen_dock(form, width):
     """Widen the dock around a form to a width in pixels, as far as the window has room.
 
-    A dock that is wider already stays as it is.
+    A dock that is wider already stays as it is. When no panel is open any more, the dock gets its
+    width back, unless the user gave it another one.
     """
     dock = dock_of(form)
     window = Gui.getMainWindow()
@@ -29,4 +32,30 @@ def widen_dock(form, width):
     ):
         return  # from 1.1 on, FreeCAD lays panels over the view; the user sets their width
     if dock.width() < wanted:
+        first = _widened[0].before if _widened else dock.width()
+        _widened[:] = [_Widened(dock, first, wanted)]
         window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
+    form.destroyed.connect(lambda *_: QtCore.QTimer.singleShot(0, _narrow))
+
+
+class _Widened(NamedTuple):
+    """A dock, and its widths in pixels before and after the panels widened it."""
+
+    dock: Any
+    before: int
+    after: int
+
+
+#: The _Widened of the open panels, if there is one.
+_widened = []
+
+#: Qt may give a dock some pixels more or less.
+SLACK_PX = 20
+
+
+def _narrow():
+    if not _widened or Gui.Control.activeDialog():
+        return
+    dock, before, after = _widened.pop()
+    if abs(dock.width() - after) <= SLACK_PX:
+        Gui.getMainWindow().resizeDocks([dock], [before], QtCore.Qt.Horizontal)
