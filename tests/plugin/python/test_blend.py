@@ -240,6 +240,18 @@ def test_corners_of_all_keys_are_kept_on_demand():
 
 # Lofts
 
+def test_a_loft_keeps_the_corners_of_its_frames():
+    keys_with_corner = [
+        BezierSpline(1, [0, 1, 2], [[0, 0, z], [1 + z, 0, z], [1, 1 + 2 * z, z]]) for z in (0, 1)
+    ]
+    blend = SplineBlend(keys_with_corner, keep_lower_orders=True)
+    loft = seamwright.frame_loft(blend)
+    assert loft.reached and loft.distance_mm < 1e-9
+    for omega in (0.0, 0.3, 1.0):
+        middle = blend.frame_at(omega).curve.point(1.0)
+        assert np.abs(loft.surface.point(1.0, omega) - middle).max() < 1e-9
+
+
 def test_a_loft_has_the_frames_as_iso_curves():
     blend = SplineBlend(keys())
     loft = seamwright.frame_loft(blend, tolerance_mm=1e-4)
