@@ -10,6 +10,7 @@
 namespace seamwright {
 
 struct RingFillOptions {
+  SpokeLaw law = SpokeLaw::Linear;                      ///< Linear or G2
   int fairness_order = 2;                               ///< as in FillOptions
   double corner_tolerance_rad = 0;                      ///< as in FillOptions
   std::optional<int> curvature_degrees = std::nullopt;  ///< as in FillOptions
@@ -42,6 +43,9 @@ struct RingFill {
   /// from the mean of the corners (at least a quarter of the mean distance).
   double spoke_scale = 1;
   std::optional<double> curvature_jump_per_mm = std::nullopt;  ///< as in NSidedFill
+  /// With SpokeLaw::G2, about the largest difference of curvature that is left on spokes, beside
+  /// their corners. It is rounding if the neighbours of each corner are parts of one surface.
+  std::optional<double> spoke_jump_per_mm = std::nullopt;
 };
 
 /// Fills a hole of four sides with five tensor-product Bezier patches. They meet each other, and
@@ -64,6 +68,12 @@ struct RingFill {
 /// third ones leave the height of the middle nearly free. If the patches are not proven regular,
 /// other lengths of the spokes are tried. Curvature is treated as in nSidedFill().
 ///
+/// With SpokeLaw::G2 the patches meet each other with G2, in the same degree. Of five lengths of
+/// the spokes that is taken in which peaks of curvature are least. At a corner whose neighbours
+/// disagree about the mixed derivative, or at a smooth one about the curvature along the sides, no
+/// fill has G2. There the tangent planes are met all the same, and a jump of curvature is left on
+/// the spoke, that fades away from the corner.
+///
 /// Identities (each has a test of its number):
 ///   (1) Edges U1 of patches 0 to 3 are the sides; neighbours share the poles of their common edge
 ///       bitwise.
@@ -71,11 +81,14 @@ struct RingFill {
 ///       inexact corner, is rounding.
 ///   (3) Rigid motion, scale, and the numbering of the sides act on the fill in the same way.
 ///   (4) The fill of planar sides is planar; a symmetric hole has a symmetric fill.
+///   (5) encloseSeam(): with SpokeLaw::G2 the difference of curvature across the inner edges is
+///       rounding, but on spokes to corners whose neighbours disagree.
 ///
 /// \throws std::invalid_argument as nSidedFill() does for sides, derivatives and planes, with side
-/// or corner and number; for a number of sides other than 4; for angles of 0 and 2 pi; and for
-/// corners that turn by less than 0.01 rad but more than rounding. RingContradiction.
-/// Source: docs/theory/fills.md F5.1, F1.2.
+/// or corner and number; for a number of sides other than 4; for SpokeLaw::Quadratic; for angles of
+/// 0 and 2 pi; and for corners that turn by less than 0.01 rad but more than rounding.
+/// RingContradiction.
+/// Source: docs/theory/fills.md F5.1, F5.2, F1.2.
 RingFill ringFill(const std::vector<FillSide>& sides, const RingFillOptions& options = {});
 
 }  // namespace seamwright

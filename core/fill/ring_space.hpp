@@ -13,11 +13,12 @@ Eigen::Index sharedRow(const FillSpace& space, int patch, int i, int j);
 struct RingSpace {
   FillSpace space;  ///< of five patches; without a centre
   std::vector<FillCorner> corners;
+  std::optional<double> spoke_jump_per_mm;  ///< as in RingFill
 };
 
 /// \throws as ringFill() does for corners; RingContradiction.
-RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
-                    int more_degrees);
+RingSpace ringSpace(const std::vector<FillSide>& sides, SpokeLaw law, double spoke_scale,
+                    double tolerance_rad, int more_degrees);
 
 /// Poles that neighbours share are bitwise the same.
 std::vector<BezierPatch> ringPatches(const FillSpace& space, const Poles& unknowns);

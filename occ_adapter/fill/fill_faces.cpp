@@ -50,11 +50,20 @@ std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more
   return std::clamp(most_degree - static_cast<int>(degree), 0, *attempt.curvature_raise);
 }
 
+/// A ring. With target G2 its patches meet each other with G2 if they are regular then.
 /// \throws NotFilled if the joins of the ring contradict each other.
-RingFill ringOf(const std::vector<FillSide>& sides, std::optional<int> curvature_degrees) {
+RingFill ringOf(const std::vector<FillSide>& sides, Level target,
+                std::optional<int> curvature_degrees) {
+  RingFillOptions options{.corner_tolerance_rad = plane_noise_rad,
+                          .curvature_degrees = curvature_degrees};
   try {
-    return ringFill(
-        sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvature_degrees});
+    if (target == Level::G2) {
+      options.law = SpokeLaw::G2;
+      RingFill fill = ringFill(sides, options);
+      if (fill.regular) return fill;
+      options.law = SpokeLaw::Linear;
+    }
+    return ringFill(sides, options);
   } catch (const RingContradiction& contradiction) {
     throw NotFilled({.fault = FillFault::ConstructionRefused, .detail = contradiction.what()});
   }
@@ -62,7 +71,7 @@ RingFill ringOf(const std::vector<FillSide>& sides, std::optional<int> curvature
 
 FillSurfaces ringSurfaces(const std::vector<FillSide>& sides, Level target,
                           const FillAttempt& attempt) {
-  const RingFill fill = ringOf(sides, curvatureDegrees(sides, 3, target, attempt));
+  const RingFill fill = ringOf(sides, target, curvatureDegrees(sides, 3, target, attempt));
   FillSurfaces result{.surfaces = {},
                       .corners = fill.corners,
                       .regular = fill.regular,

@@ -116,10 +116,11 @@ py::object fillResult(const NSidedFill& fill) {
   return resultOf("NSidedFill", dict);
 }
 
-py::object ringFillOf(const py::object& given, const py::object& fairness_order,
-                      const py::object& corner_tolerance_rad, const py::object& curvature_degrees) {
+py::object ringFillOf(const py::object& given, const py::object& law,
+                      const py::object& fairness_order, const py::object& corner_tolerance_rad,
+                      const py::object& curvature_degrees) {
   const std::vector<FillSide> sides = sidesOf(given);
-  const RingFillOptions options{wholeNumber("fairness_order", fairness_order),
+  const RingFillOptions options{lawOf(law), wholeNumber("fairness_order", fairness_order),
                                 numberOf("corner_tolerance_rad", corner_tolerance_rad),
                                 optionalWhole("curvature_degrees", curvature_degrees)};
   const RingFill fill = [&] {
@@ -133,6 +134,7 @@ py::object ringFillOf(const py::object& given, const py::object& fairness_order,
   dict["regular"] = fill.regular;
   dict["spoke_scale"] = fill.spoke_scale;
   dict["curvature_jump_per_mm"] = fill.curvature_jump_per_mm;
+  dict["spoke_jump_per_mm"] = fill.spoke_jump_per_mm;
   return resultOf("RingFill", dict);
 }
 
@@ -244,7 +246,8 @@ constexpr const char* ring_fill_doc =
     R"(Fills a hole of four sides, of which corners may be smooth or reflex, with five patches: a
 ring of four around a fifth.
 
-Arguments are as for n_sided_fill(), the default of fairness_order excepted.
+Arguments are as for n_sided_fill(), the default of fairness_order excepted. law is "linear" or
+"g2", in which the patches meet each other with G2.
 
 Returns a RingFill:
   patches          BezierPatches; patch k < 4 has side k as edge u1, spokes to corners k and k + 1
@@ -253,8 +256,11 @@ Returns a RingFill:
   corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad};
                    angles are within 0 and 2 pi
   fairness_mm2, regular, curvature_jump_per_mm   as for n_sided_fill()
-  spoke_scale      the length of the ends of spokes that was taken, 1 unless only others gave
-                   regular patches
+  spoke_scale      the length of the ends of spokes that was taken: 1 unless only others gave
+                   regular patches, with law "g2" the fairest of five
+  spoke_jump_per_mm  None, or with law "g2" about the largest jump of curvature that is left on
+                     spokes, beside their corners: rounding if the neighbours of each corner are
+                     parts of one surface
 
 ValueError, with side or corner and number, as for n_sided_fill(), and for corners that turn by
 less than 0.01 rad but more than rounding.)";
@@ -268,8 +274,8 @@ void bindFill(py::module_& module) {
   module.def("three_sided_fill", &threeSidedFillOf, three_sided_fill_doc, py::arg("sides"),
              py::kw_only(), py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0);
   module.def("ring_fill", &ringFillOf, ring_fill_doc, py::arg("sides"), py::kw_only(),
-             py::arg("fairness_order") = 2, py::arg("corner_tolerance_rad") = 0.0,
-             py::arg("curvature_degrees") = py::none());
+             py::arg("law") = "linear", py::arg("fairness_order") = 2,
+             py::arg("corner_tolerance_rad") = 0.0, py::arg("curvature_degrees") = py::none());
 }
 
 }  // namespace seamwright::python

@@ -1303,6 +1303,7 @@ def three_sided_fill(
 def ring_fill(
     sides: Sequence[Side],
     *,
+    law: str = "linear",
     fairness_order: Whole = 2,
     corner_tolerance_rad: Number = 0.0,
     curvature_degrees: Optional[Whole] = None,

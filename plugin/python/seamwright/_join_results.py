@@ -276,6 +276,7 @@ class RingFill(Result):
     regular                it is proved that no normal vanishes or turns back
     spoke_scale            length of the ends of spokes
     curvature_jump_per_mm  largest jump of normal curvature, or None
+    spoke_jump_per_mm      None, or of law "g2" the largest left on spokes, beside corners
     """
 
     _kinds = {"corners": FillCorner}
@@ -286,17 +287,25 @@ class RingFill(Result):
     regular: bool
     spoke_scale: Optional[float]
     curvature_jump_per_mm: Optional[float]
+    spoke_jump_per_mm: Optional[float]
 
 
-class NSidedFill(RingFill):
+class NSidedFill(Result):
     """A fill of 3 to 12 sides: see ``n_sided_fill``.
 
+    patches, corners, fairness_mm2, regular, spoke_scale, curvature_jump_per_mm  as of a RingFill
     spoke  the G1Connection of patch k + 1 to patch k
     sides  for each side None, or the connections of the fill to the neighbour on both halves
     """
 
     _kinds = {"corners": FillCorner, "spoke": G1Connection}
 
+    patches: List[BezierPatch]
+    corners: List[FillCorner]
+    fairness_mm2: float
+    regular: bool
+    spoke_scale: Optional[float]
+    curvature_jump_per_mm: Optional[float]
     spoke: G1Connection
     sides: List[Optional[Tuple[G1Connection, G1Connection]]]
 

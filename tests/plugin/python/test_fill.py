@@ -179,6 +179,49 @@ def test_round_hole(degrees):
         assert np.allclose(patches[k].point(1, 0.3), quarter(k)[0].point(0.3), atol=1e-12)
 
 
+def inward(patch, place, t, step=1e-3):
+    """First and second derivative of a patch across an edge, by differences of points. ``place``
+    gives (u, v) for a parameter across the edge and one along it."""
+    p = [np.asarray(patch.point(*place(k * step, t))) for k in range(5)]
+    first = (-25 * p[0] + 48 * p[1] - 36 * p[2] + 16 * p[3] - 3 * p[4]) / (12 * step)
+    return first, (35 * p[0] - 104 * p[1] + 114 * p[2] - 56 * p[3] + 11 * p[4]) / (12 * step**2)
+
+
+def curvature_across(patch, place, t, step=1e-3):
+    """The unit normal and the normal curvature across an edge, by differences of points."""
+    before, u, after = (inward(patch, place, t + k * step)[0] for k in (-1, 0, 1))
+    p = [np.asarray(patch.point(*place(0, t + k * step))) for k in (-1, 0, 1)]
+    v, vv = (p[2] - p[0]) / (2 * step), (p[2] - 2 * p[1] + p[0]) / step**2
+    share = (u @ v) / (v @ v)
+    bend = inward(patch, place, t)[1] - 2 * share * (after - before) / (2 * step) + share**2 * vv
+    across = u - share * v
+    normal = np.cross(v, across) / np.linalg.norm(np.cross(v, across))
+    return normal, (bend @ normal) / (across @ across)
+
+
+@pytest.mark.parametrize("law", ["linear", "g2"])
+def test_ring_by_differences(law):
+    """Curvature across a spoke and an edge of the middle patch, from points alone."""
+    oval, down = np.diag([1, 0.7, 1]), [0, 0, -6]
+    sides = [
+        (BezierCurve(curve.poles @ oval), (field + down) @ oval)
+        for curve, field, _ in map(quarter, range(4))
+    ]
+    fill = seamwright.ring_fill(sides, law=law)
+    assert fill["regular"] and (fill["spoke_jump_per_mm"] is None) == (law == "linear")
+    first, second, middle = (fill["patches"][k] for k in (0, 1, 4))
+    jumps = []
+    for t in (0.2, 0.5, 0.7):
+        for one, other in (
+            ((first, lambda s, t: (s, t)), (middle, lambda s, t: (t, s))),
+            ((second, lambda s, t: (t, s)), (first, lambda s, t: (t, 1 - s))),
+        ):
+            (n, k), (m, j) = curvature_across(*one, t), curvature_across(*other, t)
+            assert np.allclose(n, -m, atol=1e-6)
+            jumps.append(abs(k + j))
+    assert max(jumps) < 1e-4 if law == "g2" else max(jumps) > 1e-3
+
+
 def test_curvature_degrees():
     sides = [(patch, "u0") for patch in surroundings(5)]
     fill = seamwright.n_sided_fill(sides, curvature_degrees=1)
@@ -189,3 +232,5 @@ def test_curvature_degrees():
             seamwright.n_sided_fill(sides, curvature_degrees=bad)
     with pytest.raises(ValueError, match="3 sides"):
         seamwright.ring_fill(sides[:3])
+    with pytest.raises(ValueError, match="no quadratic law"):
+        seamwright.ring_fill(sides[:4], law="quadratic")
