@@ -54,6 +54,19 @@ double excessOf(const FillHoleReport& report, const FillHoleOptions& options) {
   return std::max(gap, report.largestAngle_rad().value_or(HUGE_VAL) / options.tolerance.angle_rad);
 }
 
+/// How much larger the curvature of a fill may be than that of another one, and how much larger its
+/// difference of curvature across a seam, before the other one is preferred although it misses G2
+/// by more. A choice.
+constexpr double much = 2;
+
+/// Whether a fill that misses G2 bends so much less than another one that it is better.
+bool isMuchFairer(const FillHoleReport& one, const FillHoleReport& other) {
+  return one.curvature_per_mm && other.curvature_per_mm &&
+         *other.curvature_per_mm > much * *one.curvature_per_mm &&
+         one.largestCurvature_rel().value_or(HUGE_VAL) <=
+             much * other.largestCurvature_rel().value_or(HUGE_VAL);
+}
+
 bool isBetter(const FillHoleReport& one, const FillHoleReport& other,
               const FillHoleOptions& options) {
   if (one.reached != other.reached) return one.reached;
@@ -62,6 +75,8 @@ bool isBetter(const FillHoleReport& one, const FillHoleReport& other,
   if (!one.reached && options.target < Level::G2)
     return excessOf(one, options) < excessOf(other, options);
   if (options.target < Level::G2) return false;
+  if (!one.reached && isMuchFairer(one, other)) return true;
+  if (!one.reached && isMuchFairer(other, one)) return false;
   return one.largestCurvature_rel().value_or(HUGE_VAL) <
          other.largestCurvature_rel().value_or(HUGE_VAL);
 }
