@@ -91,9 +91,8 @@ BSplineSurface withKnotsAcross(const BSplineSurface& sheet, int degree,
   bspline::requireKnots(degree, knots, "_v");
   BSplineSurface result = sheet;
   while (result.degree_v < degree) result = elevated(result, SurfaceDirection::V);
-  for (std::size_t i = degree + 1; i + degree + 1 < knots.size(); ++i)
-    result = withKnot(result, SurfaceDirection::V, knots[i]);
-  return result;
+  return withKnots(result, SurfaceDirection::V,
+                   {knots.begin() + degree + 1, knots.end() - degree - 1});
 }
 
 BSplineSurface displacedBoundary(const BSplineSurface& sheet, LateralSide side,

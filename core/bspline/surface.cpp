@@ -9,6 +9,7 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/bspline/refinement.hpp>
 #include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/core/bspline/surface_jets.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -177,39 +178,49 @@ BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection directio
   return replaced(surface, direction, finer, degree, std::move(more));
 }
 
+BSplineSurface withKnots(const BSplineSurface& surface, SurfaceDirection direction,
+                         const std::vector<double>& added) {
+  requireValid(surface);
+  const auto [degree, knots] = directionOf(surface, direction);
+  for (const double knot : added)
+    if (!(knot > knots.front() && knot < knots.back()))
+      refuse(fmt::format("knot {}: it must lie strictly between {} and {}", knot, knots.front(),
+                         knots.back()));
+  std::vector<double> finer = knots;
+  finer.insert(finer.end(), added.begin(), added.end());
+  std::ranges::sort(finer);
+  for (const double knot : added)
+    if (std::ranges::upper_bound(finer, knot) - std::ranges::lower_bound(finer, knot) > degree)
+      refuse(fmt::format("knot {} would be repeated more often than the degree, {}", knot, degree));
+  const bspline::PoleShares shares = bspline::insertionShares(degree, knots, finer);
+  return replaced(surface, direction, bspline::combined(shares, netAlong(surface, direction)),
+                  degree, std::move(finer));
+}
+
 BSplineSurface withRaisedKnots(const BSplineSurface& surface, SurfaceDirection direction,
                                int times) {
   requireValid(surface);
   if (times < 0) refuse("times is " + std::to_string(times) + ": it must not be negative");
   const auto [degree, knots] = directionOf(surface, direction);
-  std::vector<double> inner(knots.begin() + degree + 1, knots.end() - degree - 1);
-  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
-  BSplineSurface result = surface;
-  for (const double knot : inner) {
-    const auto multiplicity = static_cast<int>(std::ranges::count(knots, knot));
-    for (int k = 0; k < std::min(times, degree - multiplicity); ++k)
-      result = withKnot(result, direction, knot);
+  std::vector<double> added;
+  const auto end = knots.end() - degree - 1;
+  for (auto knot = knots.begin() + degree + 1; knot != end;) {
+    const auto next = std::upper_bound(knot, end, *knot);
+    added.insert(added.end(), std::min(times, degree - static_cast<int>(next - knot)), *knot);
+    knot = next;
   }
-  return result;
+  return withKnots(surface, direction, added);
 }
 
 BSplineSurface elevated(const BSplineSurface& surface, SurfaceDirection direction) {
   requireValid(surface);
   const Direction given = directionOf(surface, direction);
-  if (hasInnerKnots(given)) refuse("a direction with inner knots is not elevated");
+  if (given.degree == max_spline_degree)
+    refuse(fmt::format("the degree is {} already, the highest", max_spline_degree));
   const Net net = netAlong(surface, direction);
-  const Eigen::Index count = net.rows();
-  Net result(count + 1, net.cols());
-  result.row(0) = net.row(0);
-  result.row(count) = net.row(count - 1);
-  for (Eigen::Index i = 1; i < count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(count);
-    result.row(i) = share * net.row(i - 1) + (1 - share) * net.row(i);
-  }
-  std::vector<double> knots = given.knots;
-  knots.insert(knots.begin(), knots.front());
-  knots.push_back(knots.back());
-  return replaced(surface, direction, result, given.degree + 1, std::move(knots));
+  return replaced(surface, direction,
+                  bspline::combined(bspline::elevationShares(given.degree, given.knots), net),
+                  given.degree + 1, bspline::elevatedKnots(given.knots));
 }
 
 SurfaceDirection along(PatchEdge edge) {

@@ -60,13 +60,21 @@ SurfaceJet jet(const BSplineSurface& surface, double u, double v);
 /// multiplicity of the degree already.
 BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection direction, double knot);
 
+/// The same surface with more knots, all at once; a knot may occur several times. Each new pole is
+/// a convex combination of given ones; poles none of whose knots are new stay bitwise. The time is
+/// linear in the number of poles.
+/// \throws std::invalid_argument as withKnot().
+BSplineSurface withKnots(const BSplineSurface& surface, SurfaceDirection direction,
+                         const std::vector<double>& added);
+
 /// The same surface with the multiplicity of each inner knot of that direction raised by \p times,
 /// but at most to the degree.
 BSplineSurface withRaisedKnots(const BSplineSurface& surface, SurfaceDirection direction,
                                int times);
 
-/// The same surface with one degree more in that direction.
-/// \throws std::invalid_argument if there are inner knots in that direction.
+/// The same surface with one degree more in that direction. Each knot is repeated once more, so the
+/// surface stays as smooth as it is.
+/// \throws std::invalid_argument if the degree is 25.
 BSplineSurface elevated(const BSplineSurface& surface, SurfaceDirection direction);
 
 /// The direction of the parameter that runs along an edge.

@@ -2,23 +2,18 @@
 #include <pybind11/stl.h>
 
 #include <seamwright/core/bspline/edge_patches.hpp>
-#include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>
 #include <seamwright/plugin/python/poles.hpp>
+#include <seamwright/plugin/python/surfaces.hpp>
 
 namespace seamwright::python {
 
 namespace {
 
-BSplineSurface spline(const char* name, const py::object& value) {
-  if (py::isinstance<BezierPatch>(value)) return splineSurface(value.cast<const BezierPatch&>());
-  return objectOf<BSplineSurface>(name, value, "a BezierPatch or a BSplineSurface");
-}
-
 std::vector<BezierPatch> edgePatchesOf(const py::object& surface, const py::object& edge,
                                        const py::object& breaks) {
-  return edgePatches(spline("surface", surface), patchEdgeOf("edge", edge),
+  return edgePatches(splineSurfaceOf("surface", surface), patchEdgeOf("edge", edge),
                      listOf("breaks", breaks));
 }
 
@@ -27,7 +22,7 @@ std::vector<std::pair<BezierPatch, BezierPatch>> edgePairsOf(const py::object& a
                                                              const py::object& b,
                                                              const py::object& edge_b,
                                                              const py::object& reversed) {
-  return edgePairs(spline("a", a), patchEdgeOf("edge_a", edge_a), spline("b", b),
+  return edgePairs(splineSurfaceOf("a", a), patchEdgeOf("edge_a", edge_a), splineSurfaceOf("b", b),
                    patchEdgeOf("edge_b", edge_b), flagOf("reversed", reversed));
 }
 

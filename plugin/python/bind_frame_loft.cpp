@@ -11,6 +11,7 @@
 #include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/python/planar.hpp>
 #include <seamwright/plugin/python/results.hpp>
+#include <seamwright/plugin/python/surfaces.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,19 +149,13 @@ py::object frameLoftOf(const py::object& frames, const py::object& omegas, const
   }));
 }
 
-BSplineSurface ribbonSurfaceOf(const py::object& value) {
-  const py::object surface = itemOrSelf(value, "surface");
-  if (py::isinstance<BezierPatch>(surface))
-    return splineSurface(surface.cast<const BezierPatch&>());
-  return objectOf<BSplineSurface>("surface", surface, "a BezierPatch or a BSplineSurface");
-}
-
 py::object edgeRibbonOf(const py::object& surface, const py::object& edge, const py::object& side,
                         const py::object& rate, const py::object& reversed,
                         const py::object& closed) {
-  const FrameRibbon ribbon = edgeRibbon(
-      ribbonSurfaceOf(surface), patchEdgeOf("edge", edge), flagOf("reversed", reversed),
-      choiceOf("side", side, sheet_sides), numberOf("rate", rate), flagOf("closed", closed));
+  const FrameRibbon ribbon = edgeRibbon(splineSurfaceOf("surface", itemOrSelf(surface, "surface")),
+                                        patchEdgeOf("edge", edge), flagOf("reversed", reversed),
+                                        choiceOf("side", side, sheet_sides), numberOf("rate", rate),
+                                        flagOf("closed", closed));
   py::dict dict;
   dict["position"] = ribbon.position;
   dict["first"] = ribbon.first;

@@ -15,6 +15,7 @@
 #include <seamwright/plugin/python/edges.hpp>
 #include <seamwright/plugin/python/poles.hpp>
 #include <seamwright/plugin/python/results.hpp>
+#include <seamwright/plugin/python/surfaces.hpp>
 #include <string>
 #include <vector>
 
@@ -232,16 +233,6 @@ py::dict residualDict(const JoinResidual& residual) {
 py::dict connectionDict(const ConnectionFunctions& connection) {
   py::dict dict;
   for (const auto& [name, function] : connection_functions) dict[name] = connection.*function;
-  return dict;
-}
-
-/// None, or the map of the parameter of side "a" or "b".
-py::object parameterDict(const std::optional<SeamParameter>& parameter, bool of_a) {
-  if (!parameter) return py::none();
-  py::dict dict;
-  dict["of"] = of_a ? "a" : "b";
-  dict["numerator"] = parameter->numerator;
-  dict["denominator"] = parameter->denominator;
   return dict;
 }
 

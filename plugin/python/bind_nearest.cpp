@@ -4,18 +4,15 @@
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <seamwright/core/join/nearest/nearest.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>
 #include <seamwright/plugin/python/parameters.hpp>
-#include <variant>
+#include <seamwright/plugin/python/surfaces.hpp>
 
 namespace seamwright::python {
 
 namespace {
-
-using Surface = std::variant<BSplineSurface, BezierPatch>;
 
 void requireNet(const std::string& name, const py::array& array, py::ssize_t nu, py::ssize_t nv) {
   if (array.ndim() != 2 || array.shape(0) != nu || array.shape(1) != nv)
@@ -76,20 +73,6 @@ SurfaceDirection directionOf(const py::object& value) {
   throw py::value_error("direction is " + shown(value) + ": u or v is needed");
 }
 
-Surface joinSurfaceOf(const char* name, const py::object& value) {
-  if (py::isinstance<BezierPatch>(value)) return value.cast<const BezierPatch&>();
-  return objectOf<BSplineSurface>(name, value, "a BezierPatch or a BSplineSurface");
-}
-
-BSplineSurface splineOf(const Surface& surface) {
-  if (const auto* patch = std::get_if<BezierPatch>(&surface)) return splineSurface(*patch);
-  return std::get<BSplineSurface>(surface);
-}
-
-int degreeAlong(const JoinSide& side) {
-  return along(side.edge) == SurfaceDirection::V ? side.surface.degree_v : side.surface.degree_u;
-}
-
 /// One boolean, or 0 or 1, for each pole.
 std::vector<bool> maskOf(const std::string& name, const py::object& value, int nu, int nv) {
   const auto array = py::array::ensure(value);
@@ -112,7 +95,7 @@ struct SideArguments {
 };
 
 JoinSide sideOf(const SideArguments& given) {
-  JoinSide side{splineOf(joinSurfaceOf(given.name.c_str(), given.surface)),
+  JoinSide side{splineSurfaceOf(given.name.c_str(), given.surface),
                 patchEdgeOf(("edge_" + given.name).c_str(), given.edge)};
   const int nu = side.surface.countU(), nv = side.surface.countV();
   if (!given.weights.is_none()) {
@@ -125,18 +108,11 @@ JoinSide sideOf(const SideArguments& given) {
   return side;
 }
 
-/// Raises a Bezier patch to \p degree along the seam.
-void elevate(JoinSide& side, int degree, const Surface& given) {
-  if (degreeAlong(side) >= degree || !std::holds_alternative<BezierPatch>(given)) return;
-  if (side.weights.size() != 0 || !side.fixed.empty())
-    throw py::value_error(
-        "weights and fixed poles belong to poles: raise the degree along the seam, " +
-        std::to_string(degreeAlong(side)) + ", to " + std::to_string(degree) + " first");
-  while (degreeAlong(side) < degree) side.surface = elevated(side.surface, along(side.edge));
-}
-
-py::object asGiven(const BSplineSurface& surface, const Surface& given) {
-  if (std::holds_alternative<BezierPatch>(given)) return py::cast(bezierPatch(surface));
+/// A surface that was given as a Bezier patch as one, unless it got knots.
+py::object asGiven(const BSplineSurface& surface, const SeamChange& change,
+                   const py::object& given) {
+  if (py::isinstance<BezierPatch>(given) && change.added_knots.empty())
+    return py::cast(bezierPatch(surface));
   return py::cast(surface);
 }
 
@@ -162,9 +138,18 @@ void setMoves(const py::object& value, JoinSide& a, JoinSide& b) {
   b.moves = moves != "a";
 }
 
+void setChange(const std::string& name, const SeamChange& change, py::dict& result) {
+  result[("raised_degree_" + name).c_str()] = change.raised_degree;
+  result[("added_knots_" + name).c_str()] = change.added_knots;
+  result[("moved_knots_" + name).c_str()] = change.moved_knots;
+}
+
 py::object joinResult(const NearestJoin& join, py::dict result) {
   const ConnectionFunctions& c = join.connection;
   result["status"] = statusName(join.status);
+  setChange("a", join.change_a, result);
+  setChange("b", join.change_b, result);
+  result["parameter"] = parameterDict(join.parameter_of_b, false);
   result["alpha"] = c.alpha;
   result["beta"] = c.beta;
   result["p"] = c.p;
@@ -193,12 +178,8 @@ py::object nearestJoinOf(const py::object& a, const py::object& edge_a, const py
                          const py::object& degree_k) {
   JoinSide side_a = sideOf({"a", a, edge_a, weights_a, fixed_a});
   JoinSide side_b = sideOf({"b", b, edge_b, weights_b, fixed_b});
-  const Surface given_a = joinSurfaceOf("a", a), given_b = joinSurfaceOf("b", b);
   setMoves(moves, side_a, side_b);
   side_b.reversed = flagOf("reversed", reversed);
-  const int degree = std::max(degreeAlong(side_a), degreeAlong(side_b));
-  elevate(side_a, degree, given_a);
-  elevate(side_b, degree, given_b);
   NearestOptions options;
   options.order = wholeNumber("order", order);
   options.degree_alpha = wholeNumber("degree_alpha", degree_alpha);
@@ -215,8 +196,8 @@ py::object nearestJoinOf(const py::object& a, const py::object& edge_a, const py
   py::dict result;
   const bool changed =
       join.status == NearestStatus::Joined || join.status == NearestStatus::NotConverged;
-  result["a"] = changed && side_a.moves ? asGiven(join.a, given_a) : a;
-  result["b"] = changed && side_b.moves ? asGiven(join.b, given_b) : b;
+  result["a"] = changed && side_a.moves ? asGiven(join.a, join.change_a, a) : a;
+  result["b"] = changed && side_b.moves ? asGiven(join.b, join.change_b, b) : b;
   return joinResult(join, result);
 }
 
@@ -232,13 +213,39 @@ BSplineSurface surfaceFrom(const py::tuple& state) {
   return surface;
 }
 
+void bindRefinement(py::class_<BSplineSurface>& surface) {
+  surface
+      .def(
+          "with_knot",
+          [](const BSplineSurface& s, const py::object& direction, const py::object& knot) {
+            return withKnot(s, directionOf(direction), numberOf("knot", knot));
+          },
+          py::arg("direction"), py::arg("knot"), "The same surface with one more knot in u or v.")
+      .def(
+          "elevated",
+          [](const BSplineSurface& s, const py::object& direction) {
+            return elevated(s, directionOf(direction));
+          },
+          py::arg("direction"),
+          "The same surface with one degree more in u or v; each knot is repeated once more.")
+      .def(
+          "with_raised_knots",
+          [](const BSplineSurface& s, const py::object& direction, const py::object& times) {
+            return withRaisedKnots(s, directionOf(direction), wholeNumber("times", times));
+          },
+          py::arg("direction"), py::arg("times") = 1,
+          "The same surface, the multiplicity of each inner knot in u or v raised, to the degree "
+          "at most.");
+}
+
 void bindSurface(py::module_& module) {
-  py::class_<BSplineSurface>(
+  py::class_<BSplineSurface> surface(
       module, "BSplineSurface", py::module_local(),
       R"(A (rational) B-spline surface with clamped ends: poles (nu, nv, 3) in mm, flat knots,
 weights (nu, nv) or None.
 
-ValueError, with index and value, for numbers that make no surface.)")
+ValueError, with index and value, for numbers that make no surface.)");
+  surface
       .def(py::init(&makeSurface), py::arg("poles"), py::arg("knots_u"), py::arg("knots_v"),
            py::arg("degree_u"), py::arg("degree_v"), py::arg("weights") = py::none())
       .def_static(
@@ -264,20 +271,6 @@ ValueError, with index and value, for numbers that make no surface.)")
            "The point (3,) at (u, v); arrays broadcast to a shape s: points s + (3,).")
       .def("jet", &splineJet, py::arg("u"), py::arg("v"),
            "Point and partials to third order, a SurfaceJet; for arrays an array of them.")
-      .def(
-          "with_knot",
-          [](const BSplineSurface& s, const py::object& direction, const py::object& knot) {
-            return withKnot(s, directionOf(direction), numberOf("knot", knot));
-          },
-          py::arg("direction"), py::arg("knot"), "The same surface with one more knot in u or v.")
-      .def(
-          "with_raised_knots",
-          [](const BSplineSurface& s, const py::object& direction, const py::object& times) {
-            return withRaisedKnots(s, directionOf(direction), wholeNumber("times", times));
-          },
-          py::arg("direction"), py::arg("times") = 1,
-          "The same surface, the multiplicity of each inner knot in u or v raised, to the degree "
-          "at most.")
       .def(py::pickle(&stateOf, &surfaceFrom))
       .def("__repr__",
            [](const BSplineSurface& s) {
@@ -287,6 +280,7 @@ ValueError, with index and value, for numbers that make no surface.)")
            })
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
+  bindRefinement(surface);
 }
 
 }  // namespace
@@ -304,8 +298,9 @@ void bindNearest(py::module_& module) {
 
 a, b: BezierPatch or BSplineSurface. They join with G1, G2 or G3 (order 1 to 3) exactly along the
 edges 'u0', 'u1', 'v0', 'v1'. moves: 'both', 'a' or 'b'. reversed: the edge of b runs the other way.
-weights_a, weights_b: the weight of the squared move of each pole. fixed_a, fixed_b: poles that
-stay, as boolean arrays of the shape of the poles. degree_alpha, ..: degrees of the functions that
+A side that moves gets the degree and the knots that the other has along the edge. weights_a,
+weights_b: the weight of the squared move of each given pole. fixed_a, fixed_b: poles that stay, as
+boolean arrays of the shape of the poles. degree_alpha, ..: degrees of the functions that
 connect the surfaces. TypeError for other surfaces; ValueError for other bad arguments.)");
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/seam/bspline_side.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
 
@@ -102,11 +103,14 @@ TEST(BSplineSurface, MoreKnotsAndDegreesChangeNoPoint) {  // (3)
   for (int round = 0; round < 40; ++round) {
     const BSplineSurface given =
         strip(shape(1 + round % 4, 2 + round % 4, {0.3, 0.6}, round % 2), 1, 0.5, random);
-    const BSplineSurface finer[] = {withKnot(given, SurfaceDirection::U, place(random)),
-                                    withKnot(given, SurfaceDirection::V, place(random)),
-                                    withKnot(given, SurfaceDirection::V, 0.3),
-                                    withRaisedKnots(given, SurfaceDirection::V, 1 + round % 3),
-                                    elevated(given, SurfaceDirection::U)};
+    const BSplineSurface finer[] = {
+        withKnot(given, SurfaceDirection::U, place(random)),
+        withKnot(given, SurfaceDirection::V, place(random)),
+        withKnot(given, SurfaceDirection::V, 0.3),
+        withRaisedKnots(given, SurfaceDirection::V, 1 + round % 3),
+        withKnots(given, SurfaceDirection::V, {0.9, 0.41, 0.3, 0.72, 0.9}),
+        elevated(given, SurfaceDirection::U),
+        elevated(given, SurfaceDirection::V)};
     for (const BSplineSurface& surface : finer) {
       requireValid(surface);
       EXPECT_GT(surface.poles.rows(), given.poles.rows());
@@ -116,6 +120,42 @@ TEST(BSplineSurface, MoreKnotsAndDegreesChangeNoPoint) {  // (3)
       }
     }
   }
+}
+
+TEST(BSplineSurface, KnotsAtOnceAreKnotsOneAfterAnother) {
+  std::mt19937_64 random(testSeed());
+  std::uniform_real_distribution<double> place(0.01, 0.99);
+  for (int round = 0; round < 40; ++round) {
+    const BSplineSurface given =
+        strip(shape(3, 1 + round % 5, {0.3, 0.6}, round % 2), 1, 0.5, random);
+    std::vector<double> added;
+    for (int k = 0; k < 8; ++k) added.push_back(place(random));
+    BSplineSurface one_by_one = given;
+    for (const double knot : added) one_by_one = withKnot(one_by_one, SurfaceDirection::V, knot);
+    const BSplineSurface at_once = withKnots(given, SurfaceDirection::V, added);
+    EXPECT_EQ(at_once.knots_v, one_by_one.knots_v);
+    EXPECT_LT((at_once.poles - one_by_one.poles).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_EQ(isRational(at_once.poles), isRational(given.poles));
+    EXPECT_EQ(at_once.poles.row(0), given.poles.row(0));
+    EXPECT_EQ(withKnots(given, SurfaceDirection::V, {}), given);
+  }
+}
+
+TEST(BSplineSurface, TheNetOfAHigherDegreeIsConvexAndSmooth) {
+  std::mt19937_64 random(testSeed());
+  BSplineSurface given = strip(shape(2, 3, {0.2, 0.5, 0.5, 0.9}, false), 1, 0.5, random);
+  for (int degree = 4; degree <= 25; ++degree) {
+    given.poles.col(0).setConstant(7);
+    const double low = given.poles.col(2).minCoeff(), high = given.poles.col(2).maxCoeff();
+    given = elevated(given, SurfaceDirection::V);
+    EXPECT_EQ(given.degree_v, degree);
+    EXPECT_EQ(std::ranges::count(given.knots_v, 0.2), degree - 2);
+    EXPECT_TRUE((given.poles.col(0).array() == 7).all());
+    EXPECT_TRUE((given.poles.col(3).array() == 1).all());
+    EXPECT_GE(given.poles.col(2).minCoeff(), low);
+    EXPECT_LE(given.poles.col(2).maxCoeff(), high);
+  }
+  EXPECT_THROW(elevated(given, SurfaceDirection::V), std::invalid_argument);
 }
 
 TEST(BSplineSurface, RaisedKnotsEndAtTheDegree) {
@@ -203,10 +243,12 @@ TEST(BSplineSurface, WhatIsNoneIsRefused) {
   EXPECT_THROW(withKnot(good, SurfaceDirection::V, 0), std::invalid_argument);
   EXPECT_THROW(withKnot(good, SurfaceDirection::V, 1), std::invalid_argument);
   EXPECT_THROW(withKnot(good, SurfaceDirection::V, nan), std::invalid_argument);
+  EXPECT_THROW(withKnots(good, SurfaceDirection::V, {0.3, 1}), std::invalid_argument);
+  EXPECT_THROW(withKnots(good, SurfaceDirection::V, {nan}), std::invalid_argument);
+  EXPECT_THROW(withKnots(good, SurfaceDirection::V, std::vector(9, 0.3)), std::invalid_argument);
   EXPECT_THROW(withKnot(withRaisedKnots(good, SurfaceDirection::V, 9), SurfaceDirection::V, 0.5),
                std::invalid_argument);
   EXPECT_THROW(withRaisedKnots(good, SurfaceDirection::V, -1), std::invalid_argument);
-  EXPECT_THROW(elevated(good, SurfaceDirection::V), std::invalid_argument);
   EXPECT_THROW(bezierPatch(good), std::invalid_argument);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/join/nearest/common_seam.hpp>
 #include <seamwright/core/join/nearest/nearest.hpp>
 #include <seamwright/core/join/nearest/nearest_family.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -132,10 +133,8 @@ double storedResidual(JoinSide a, JoinSide b, const NearestJoin& join, const Can
   return relativeResidual(condition, found.solution.c, u.target);
 }
 
-}  // namespace
-
-NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptions& options) {
-  requireOptions(options);
+/// \pre both sides have the same degree, knots and parameter.
+NearestJoin joinOf(const JoinSide& a, const JoinSide& b, const NearestOptions& options) {
   const Unknowns u = unknowns(a, b, options.order);
   requireSize(u, options.order);
   std::vector<Family> held;
@@ -164,6 +163,26 @@ NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptio
   placed.stationarity = solution.stationarity;
   placed.status = solution.stationary ? NearestStatus::Joined : NearestStatus::NotConverged;
   return placed;
+}
+
+}  // namespace
+
+NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptions& options) {
+  requireOptions(options);
+  const CommonSeam seam = commonSeam(a, b, options.order);
+  NearestJoin join = joinOf(seam.a.side, seam.b.side, options);
+  join.parameter_of_b = seam.parameter_of_b;
+  const bool moved =
+      join.status == NearestStatus::Joined || join.status == NearestStatus::NotConverged;
+  const auto giveBack = [&](const CommonSide& common, const JoinSide& given,
+                            BSplineSurface& surface, SeamChange& change) {
+    const bool changed = moved && given.moves;
+    surface = changed ? common.inOwnParameter(surface) : given.surface;
+    if (changed) change = common.change;
+  };
+  giveBack(seam.a, a, join.a, join.change_a);
+  giveBack(seam.b, b, join.b, join.change_b);
+  return join;
 }
 
 }  // namespace seamwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include <seamwright/core/join/nearest/nearest.hpp>
@@ -25,6 +26,10 @@ struct SeamRows {
   int pole(int row, int j) const { return origin + row * row_step + j * step; }
   int origin = 0, row_step = 0, step = 0;
 };
+
+/// \param name of the surface in messages.
+/// \throws std::invalid_argument as nearestJoin() does.
+void requireSide(const JoinSide& side, const std::string& name);
 
 SeamRows seamRows(const JoinSide& side, int order);
 
@@ -53,6 +58,7 @@ struct Unknowns {
   int blocks() const { return 1 + a.depth + b.depth; }
 };
 
+/// \pre both sides are valid, and have the same degree and knots along the seam.
 /// \throws std::invalid_argument as nearestJoin() does.
 Unknowns unknowns(const JoinSide& a, const JoinSide& b, int order);
 

@@ -53,6 +53,15 @@ class NearestJoin(Connection):
     residual         of the equations, without unit
     stationarity     how far the move is from the smallest one, without unit
     iterations       steps of the search
+    raised_degree_a, raised_degree_b
+                     by how much the degree along the seam was raised
+    added_knots_a, added_knots_b
+                     knots that the surface got along the seam besides, in its parameter
+    moved_knots_a, moved_knots_b
+                     largest change of a knot that became one of the other side, as a share of
+                     the range
+    parameter        None, or of sides that run along the seam at different speeds the map of the
+                     parameter of b as in JoinCondition
     """
 
     _keys = {"cost_mm2": "cost"}
@@ -65,6 +74,13 @@ class NearestJoin(Connection):
     residual: float
     stationarity: float
     iterations: int
+    raised_degree_a: int
+    raised_degree_b: int
+    added_knots_a: List[float]
+    added_knots_b: List[float]
+    moved_knots_a: float
+    moved_knots_b: float
+    parameter: Optional[dict]
 
     @property
     def connection(self) -> Connection:

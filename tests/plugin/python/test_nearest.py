@@ -119,6 +119,93 @@ def test_splines_join():
         )  # u runs out of b, so into a
 
 
+def ranged(sense, seed, degree, inner, first, last):
+    """A spline of that degree along v over first..last, with these shares as inner knots."""
+    shares = [0] * (degree + 1) + list(inner) + [1] * (degree + 1)
+    knots = first + (last - first) * np.array(shares)
+    poles = net(sense, 3, len(knots) - degree - 1, seed, 0.02)
+    return BSplineSurface(poles, [0] * 4 + [1] * 4, knots, 3, degree)
+
+
+def across(surface, v, sign):
+    """Point, unit normal and curvature tensor on u = 0 by the partials alone."""
+    jet = surface.jet(0, v)
+    normal = np.cross(jet.u, jet.v)
+    square = normal @ normal
+    x, y = np.cross(jet.v, normal) / square, np.cross(normal, jet.u) / square
+    normal = sign * normal / np.sqrt(square)
+    mixed = np.outer(x, y) + np.outer(y, x)
+    tensor = normal @ jet.uu * np.outer(x, x) + normal @ jet.uv * mixed
+    return jet.p, normal, tensor + normal @ jet.vv * np.outer(y, y)
+
+
+@pytest.mark.parametrize("moves", ["both", "a", "b"])
+@pytest.mark.parametrize("backwards", [False, True])
+def test_knots_degrees_and_ranges_may_differ(moves, backwards):
+    a = ranged(-1, 1, 3, [0.25, 0.5], -2, 2)
+    b = ranged(1, 2, 4, [0.3, 0.5 + 1e-12], 10, 60)
+    if backwards:
+        b = BSplineSurface(
+            b.poles[:, ::-1], b.knots_u, 70 - np.array(b.knots_v)[::-1], b.degree_u, b.degree_v
+        )
+    join = seamwright.nearest_join(a, "u0", b, "u0", 2, moves, backwards)
+    assert join.status == "joined" and join.parameter is None
+    for t in np.linspace(0, 1, 41):
+        p = across(join.a, -2 + 4 * t, 1)
+        q = across(join.b, 10 + 50 * (1 - t if backwards else t), 1 if backwards else -1)
+        assert np.abs(p[0] - q[0]).max() < 1e-10
+        assert np.abs(p[1] - q[1]).max() < 1e-9
+        assert np.abs(p[2] - q[2]).max() < 1e-8
+    assert (join.a == a) == (moves == "b") and (join.b == b) == (moves == "a")
+    assert join.raised_degree_a == (moves != "b") and join.raised_degree_b == 0
+    assert join.added_knots_a == (pytest.approx([-0.8]) if moves != "b" else [])
+    if moves != "a":
+        added = join.added_knots_b
+        assert {round(abs(k - 60 * backwards - 10 * (not backwards)) / 50, 9) for k in added} == {
+            0.25,
+            0.5,
+        }
+    assert max(join.moved_knots_a, join.moved_knots_b) < 2e-12
+    again = seamwright.nearest_join(join.a, "u0", join.b, "u0", 2, reversed=backwards)
+    assert again.status == "unchanged" and again.added_knots_a == again.added_knots_b == []
+
+
+def test_a_patch_that_gets_knots_is_a_spline():
+    a, b = pair()[0], ranged(1, 2, 3, [0.4], 0, 3)
+    join = seamwright.nearest_join(a, "u0", b, "u0")
+    assert isinstance(join.a, BSplineSurface) and join.a.knots_v[4] == pytest.approx(0.4)
+    assert_joined(join, 1)
+    kept = seamwright.nearest_join(a, "u0", b, "u0", moves="b")
+    assert kept.a is a
+
+
+def test_weights_and_fixed_poles_are_those_given():
+    a, b = ranged(-1, 1, 3, [0.25], 0, 1), ranged(1, 2, 3, [0.6], 0, 1)
+    stays = np.zeros(a.weights.shape, bool)
+    stays[:2, :2] = True
+    join = seamwright.nearest_join(a, "u0", b, "u0", fixed_a=stays)
+    assert_joined(join, 1)
+    before = a.with_knot("v", join.added_knots_a[0])
+    assert (join.a.poles[:2, :2] == before.poles[:2, :2]).all()
+    assert (join.a.poles[:2, 0] == a.poles[:2, 0]).all()
+    costly = seamwright.nearest_join(a, "u0", b, "u0", weights_a=np.full(a.weights.shape, 1e6))
+    assert np.abs(costly.a.poles - before.poles).max() < 1e-5
+
+
+def test_a_side_at_another_speed():
+    a, b = pair()
+    plain = seamwright.nearest_join(a, "u0", b, "u0")
+    faster = BezierPatch(b.poles, np.tile(1.5 ** np.arange(4), (4, 1)))
+    join = seamwright.nearest_join(a, "u0", faster, "u0")
+    assert join.parameter["of"] == "b"
+    assert join.parameter["numerator"] == pytest.approx([0, 1 / 1.5])
+    assert join.parameter["denominator"] == pytest.approx([1, 1 / 1.5])
+    assert np.abs(join.a.poles - plain.a.poles).max() < 1e-10
+    assert np.abs(join.b.poles - plain.b.poles).max() < 1e-10
+    assert join.b.weights == pytest.approx(faster.weights, rel=1e-12)
+    assert seamwright.join_condition(join.a, "u0", join.b, "u0").verdict == "G1"
+
+
 def test_surface():
     s = spline(1, 3)
     assert (
@@ -128,6 +215,9 @@ def test_surface():
     assert finer.poles.shape == (5, 6, 3)
     assert np.abs(finer.point(0.3, 0.7) - s.point(0.3, 0.7)).max() < 1e-13
     assert np.abs(finer.jet(0.3, 0.7).vvv - s.jet(0.3, 0.7).vvv).max() < 1e-9
+    higher = s.elevated("v")
+    assert (higher.degree_v, list(higher.knots_v)) == (4, [0] * 5 + [0.5] * 2 + [1] * 5)
+    assert np.abs(higher.point(0.3, 0.7) - s.point(0.3, 0.7)).max() < 1e-13
     patch = BezierPatch(net(1, 2, 4, 4), np.linspace(1, 2, 12).reshape(3, 4))
     assert (
         np.abs(BSplineSurface.from_patch(patch).point(0.2, 0.9) - patch.point(0.2, 0.9)).max()
@@ -154,10 +244,9 @@ def test_what_cannot_join_is_said():
         ({"fixed_b": np.ones(16, bool)}, r"fixed_b have shape \(16\)"),
         ({"weights_b": -np.ones((4, 4))}, "weight 0 of a move of surface b is -1"),
         ({"degree_beta": 9}, "degree of beta is 9"),
-        ({"b": spline(1, 2)}, "knots along the seam are 8 and 9"),
         (
-            {"b": BezierPatch(net(1, 3, 5, 2)), "fixed_a": np.ones((4, 4), bool)},
-            "raise the degree along the seam",
+            {"b": BezierPatch(net(1, 3, 5, 2)), "fixed_a": np.eye(4, k=1, dtype=bool)},
+            "pole 1 along the seam, 0 across it, of surface a cannot stay",
         ),
     ],
 )
