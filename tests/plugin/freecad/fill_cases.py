@@ -216,9 +216,9 @@ class Holes(FillCase):
         walls = [face for face in box.Faces if len(face.Edges) == 4 and not face.isSame(tops[0])]
         walls = [face for face in walls if face.Surface.TypeId == "Part::GeomPlane"]
         plate = models.add(self.doc, Part.makeShell(tops + walls), "Plate")
-        holes, wanted, text = fill.holes_of(plate)
-        self.assertEqual((len(holes), wanted, text), (2, [1, 2], ""))
         obj = fill.create(plate, target="G0")
+        holes, wanted, text = fill.holes_of(obj)
+        self.assertEqual((len(holes), wanted, text), (2, [1, 2], ""))
         self.assertEqual((obj.Filled, obj.NewFaces), (2, 2), obj.Summary)
         self.assertAlmostEqual(obj.Shape.Volume, 16000, delta=1e-6)
 
