@@ -11,6 +11,9 @@ COUNT, FLAG, CHOICE = "App::PropertyInteger", "App::PropertyBool", "App::Propert
 NUMBERS = "App::PropertyFloatList"
 VECTOR, VECTORS = "App::PropertyVector", "App::PropertyVectorList"
 
+#: The largest COUNT.
+MOST = 10000
+
 
 class Option(NamedTuple):
     """One option.
@@ -81,7 +84,16 @@ def _vector(option, value):
 
 
 def _number(option, value):
-    number = float(value)
+    try:
+        number = float(value)
+    except TypeError:
+        raise ValueError(tr("{argument} = {value!r} is no number").format(
+            argument=option.argument, value=value
+        )) from None
+    if option.kind == COUNT and number > MOST:
+        raise ValueError("%s = %r: %s" % (
+            option.argument, value, tr("at most {most}").format(most=MOST)
+        ))
     if not (math.isfinite(number) and number >= option.least):
         wanted = tr("must be finite")
         if option.least != -math.inf:

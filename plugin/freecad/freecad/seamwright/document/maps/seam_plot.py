@@ -79,6 +79,12 @@ class SeamPlot(Tool):
                     )
                 )
             sources.world_shape(obj)
+        if not any(element.startswith("Edge") for _, element in chosen):
+            raise ValueError(
+                tr("{name} is no edge: {needs}").format(
+                    name="%s.%s" % (chosen[0][0].Label, chosen[0][1]), needs=tr(cls.NEEDS)
+                )
+            )
         _, free = _divided(_inputs(cls.completed(chosen)))
         for each in free:
             if not any(

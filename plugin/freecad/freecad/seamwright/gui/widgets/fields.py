@@ -103,7 +103,7 @@ class CountField(QuantityField):
 
     def _make(self, obj):
         widget = CountBox()
-        widget.setRange(int(max(self.option.least, 0)), 10000)
+        widget.setRange(int(max(self.option.least, 0)), options.MOST)
         return self._bound(widget, obj)
 
 

@@ -25,6 +25,20 @@ class Bindable:
     """A spin box whose number may be given by an expression of a property."""
 
     _binding = None
+    _exact = _rounded = None
+
+    def number(self):
+        """Return the number; the one that was shown, as long as the user does not change it.
+
+        A spin box rounds to its decimals, and shows the nearest number that it allows.
+        """
+        found = self.value()
+        return self._exact if found == self._rounded else found
+
+    def show_number(self, value):
+        """Show a number, or the nearest one that is allowed."""
+        self.setValue(min(max(value, self.minimum()), self.maximum()))
+        self._rounded, self._exact = self.value(), value
 
     def bind(self, obj, name):
         """Let the field be that of a property of an object."""
@@ -60,14 +74,6 @@ class CountBox(Bindable, SpinBox):
 
     unit = PLAIN
 
-    def number(self):
-        """Return the number."""
-        return self.value()
-
-    def show_number(self, value):
-        """Show a number."""
-        self.setValue(value)
-
 
 class NumberField(Bindable, DoubleSpinBox):
     """``number`` is in mm or degrees. The text has any unit, or a formula such as 2 * 5 um.
@@ -75,8 +81,6 @@ class NumberField(Bindable, DoubleSpinBox):
     With an object, it may also be an expression that names what FreeCAD finds from there, such as
     Spreadsheet.width; it is computed once.
     """
-
-    _exact = _rounded = float("nan")
 
     def __init__(self, unit, largest, least=0.0, refer_to=None):
         super().__init__()
@@ -92,21 +96,6 @@ class NumberField(Bindable, DoubleSpinBox):
         """Let the field be that of a property of an object."""
         self._obj = obj
         super().bind(obj, name)
-
-    def number(self):
-        """Return the number; the one that was shown, with all digits, as long as it is not changed.
-
-        A spin box rounds to its decimals.
-        """
-        found = self.value()
-        return self._exact if found == self._rounded else found
-
-    def show_number(self, value):
-        """Show a number, or the nearest one that is allowed."""
-        self.setValue(value)
-        self._rounded = self.value()
-        inside = self.minimum() <= value <= self.maximum()
-        self._exact = float(value) if inside else self._rounded
 
     def _shown_in(self):
         """Return (mm or degrees of one shown unit, its name)."""
