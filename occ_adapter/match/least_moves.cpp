@@ -176,14 +176,26 @@ PointRows LeastMoves::pulled(const PointRows& moves, const std::vector<double>& 
   return gradient;
 }
 
+/// Finds an order of elimination for the parts that have a weight.
+void LeastMoves::order(const std::vector<double>& weights) const {
+  std::vector<bool> counting;
+  for (const double weight : weights) counting.push_back(weight != 0);
+  if (prepared_->counting == counting) return;
+  const Normal& normal = prepared_->normal;
+  std::vector<bool> is_multiple(normal.pattern.rows.size(), true);
+  for (std::size_t part = 0; part < normal.parts.size(); ++part)
+    for (std::size_t k = 0; counting[part] && k < normal.parts[part].blocks.size(); ++k)
+      if (!normal.parts[part].blocks[k].isZero(0)) is_multiple[k] = false;
+  prepared_->factors = BlockCholesky(normal.pattern, is_multiple);
+  prepared_->counting = counting;
+  prepared_->weights.clear();
+}
+
 /// Where rounding hides that the matrix is positive definite its diagonal is raised by as much; the
 /// second pass of solve() makes up for it.
 void LeastMoves::factor(double damping, const std::vector<double>& weights) const {
-  if (!prepared_) {
-    Normal normal = normalMatrix();
-    BlockCholesky factors(normal.pattern);
-    prepared_ = Prepared{std::move(normal), std::move(factors), 0, {}};
-  }
+  if (!prepared_) prepared_ = Prepared{normalMatrix()};
+  order(weights);
   if (prepared_->damping == damping && prepared_->weights == weights) return;
   const Normal& normal = prepared_->normal;
   std::vector<SymmetricBlock> blocks(normal.pattern.rows.size(), SymmetricBlock::Zero());

@@ -66,9 +66,10 @@ class LeastMoves {
   };
   struct Prepared {
     Normal normal;
-    BlockCholesky factors;
-    double damping = 0;           ///< of the last factorisation
-    std::vector<double> weights;  ///< of the last factorisation; empty: there is none
+    std::vector<bool> counting = {};  ///< the parts that are in the factors
+    BlockCholesky factors = BlockCholesky(BlockPattern{});
+    double damping = 0;                ///< of the last factorisation
+    std::vector<double> weights = {};  ///< of the last factorisation; empty: there is none
   };
 
   int addGroup(Group group);
@@ -76,6 +77,7 @@ class LeastMoves {
   std::vector<std::vector<Use>> usesOfPoints() const;
   BlockPattern patternOf(const std::vector<std::vector<Use>>& uses) const;
   Normal normalMatrix() const;
+  void order(const std::vector<double>& weights) const;
   void factor(double damping, const std::vector<double>& weights) const;
   PointRows pulled(const PointRows& moves, const std::vector<double>& weights) const;
 
