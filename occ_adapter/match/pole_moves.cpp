@@ -48,22 +48,39 @@ struct MovingSums {
   Eigen::MatrixXd factors;  ///< a sum in each row
 };
 
+/// Parameters in a knot span and their weights in an integral over it.
+struct SpanRule {
+  std::vector<double> at, weights;
+};
+
+/// As many points as the degree: with fewer, moves of high degree would seem not to bend.
+std::vector<SpanRule> rulesOf(const SplineAxis& axis) {
+  const GaussRule rule = gaussRule(axis.degree);
+  std::vector<SpanRule> rules;
+  for (const int span : axis.spans()) {
+    SpanRule own;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      own.at.push_back(axis.knots[span] + rule.nodes[i] * axis.length(span));
+      own.weights.push_back(rule.weights[i] * axis.length(span));
+    }
+    rules.push_back(std::move(own));
+  }
+  return rules;
+}
+
 /// Rows whose squares add up to the bending energy of the moves in a pair of spans; no points if
 /// nothing moves there.
 MovingSums bendingOf(const Zone& zone, const SurfaceBasis& basis, const PointRows& poles,
-                     const std::vector<int>& numbers, int span_u, int span_v) {
-  // As Displacement::bending(): enough points for the curvature of a cubic, and a little energy
-  // beyond the face.
-  static const GaussRule rule = gaussRule(3);
+                     const std::vector<int>& numbers, const SpanRule& span_u,
+                     const SpanRule& span_v) {
+  // A little energy beyond the face.
   constexpr double share_outside = 0.03, share_of_metric = 1e-12;
-  const SplineAxis &u = basis.u(), &v = basis.v();
   MovingSums bending;
   std::vector<int> kept;
   Eigen::Index rows = 0;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-      const Eigen::Vector2d uv(u.knots[span_u] + rule.nodes[i] * u.length(span_u),
-                               v.knots[span_v] + rule.nodes[j] * v.length(span_v));
+  for (std::size_t i = 0; i < span_u.at.size(); ++i)
+    for (std::size_t j = 0; j < span_v.at.size(); ++j) {
+      const Eigen::Vector2d uv(span_u.at[i], span_v.at[j]);
       const PoleShares shares = basis.at(uv);
       if (kept.empty()) {
         for (std::size_t k = 0; k < shares.poles.size(); ++k) {
@@ -72,8 +89,7 @@ MovingSums bendingOf(const Zone& zone, const SurfaceBasis& basis, const PointRow
           bending.points.push_back(numbers[shares.poles[k]]);
         }
         if (kept.empty()) return {};
-        bending.factors.resize(3 * std::ssize(rule.nodes) * std::ssize(rule.nodes),
-                               std::ssize(kept));
+        bending.factors.resize(3 * std::ssize(span_u.at) * std::ssize(span_v.at), std::ssize(kept));
       }
       const SurfaceJet jet = jetOf(shares, poles);
       const double least_metric =
@@ -81,8 +97,8 @@ MovingSums bendingOf(const Zone& zone, const SurfaceBasis& basis, const PointRow
       if (!(least_metric > 0)) continue;
       const bool is_within =
           (uv.array() >= zone.low.array()).all() && (uv.array() <= zone.high.array()).all();
-      const double area = jet.u.cross(jet.v).norm() * rule.weights[i] * rule.weights[j] *
-                          u.length(span_u) * v.length(span_v) * (is_within ? 1 : share_outside);
+      const double area = jet.u.cross(jet.v).norm() * span_u.weights[i] * span_v.weights[j] *
+                          (is_within ? 1 : share_outside);
       const Eigen::MatrixXd hessian = hessianShares(shares, jet, least_metric);
       bending.factors.middleRows<3>(rows) = std::sqrt(area) * hessian(Eigen::indexing::all, kept);
       rows += 3;
@@ -142,6 +158,8 @@ PoleSolver::PoleSolver(const Zone& zone, const std::vector<Station>& stations,
   // Poles of one point differ by rounding only.
   collapsed_ = collapsedSides(basis_, poles_, 0);
   const double row_mm = meanRow_mm();
+  // Else curvatures would weigh the less against bending the denser the knots are.
+  curvature_scale_ = std::max(1.0, zone.depth_mm / row_mm);
   for (std::size_t i = 0; i < stations_.size(); ++i) addStation(static_cast<int>(i));
   for (const ClosingPoints& points : closing) addClosing(points);
   for (const std::vector<int>& side : collapsed_) addCollapsed(side);
@@ -198,7 +216,8 @@ void PoleSolver::step(const std::vector<SurfaceJet>& jets, double softness, doub
     if (condition.order == 0)
       system_.setValue(condition.number, missedPoint(station, jet));
     else
-      system_.setValue(condition.number, missedDerivative(station, jet, condition.order));
+      system_.setValue(condition.number,
+                       scaleOf(condition.order) * missedDerivative(station, jet, condition.order));
   }
   for (const Closing& closing : closing_) {
     Eigen::Vector3d opened = Eigen::Vector3d::Zero();
@@ -235,7 +254,8 @@ double PoleSolver::largestMissed_mm(const std::vector<SurfaceJet>& jets) const {
     const Station& station = stations_[i];
     missed_mm = std::max(missed_mm, missedPoint(station, jets[i]).norm());
     for (int order = 1; order <= station.order && station.target.normal; ++order)
-      missed_mm = std::max(missed_mm, std::abs(missedDerivative(station, jets[i], order)));
+      missed_mm =
+          std::max(missed_mm, scaleOf(order) * std::abs(missedDerivative(station, jets[i], order)));
   }
   return missed_mm;
 }
@@ -267,9 +287,9 @@ void PoleSolver::addStation(int number) {
                                       : secondDerivative(shares, station.step, station.step),
                            numbers_);
     const Eigen::VectorXd value = Eigen::VectorXd::Zero(1);
-    conditions_.push_back(
-        {system_.add(moving.points, moving.factors, *station.target.normal, value, Stations),
-         number, order});
+    conditions_.push_back({system_.add(moving.points, scaleOf(order) * moving.factors,
+                                       *station.target.normal, value, Stations),
+                           number, order});
   }
 }
 
@@ -304,8 +324,9 @@ void PoleSolver::addCollapsed(const std::vector<int>& side) {
 
 /// The bending energy of the moves, times the square of the row.
 void PoleSolver::addBending(double row_mm) {
-  for (const int span_u : basis_.u().spans())
-    for (const int span_v : basis_.v().spans()) {
+  const std::vector<SpanRule> rules_v = rulesOf(basis_.v());
+  for (const SpanRule& span_u : rulesOf(basis_.u()))
+    for (const SpanRule& span_v : rules_v) {
       const MovingSums bending = bendingOf(zone_, basis_, given_, numbers_, span_u, span_v);
       if (!bending.points.empty())
         system_.addZero(bending.points, row_mm * bending.factors, Bending);

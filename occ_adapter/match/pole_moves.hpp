@@ -90,6 +90,7 @@ class PoleSolver {
   struct Closing;
 
   double meanRow_mm() const;
+  double scaleOf(int order) const { return order < 2 ? 1 : curvature_scale_; }
   void addStation(int number);
   void addClosing(const ClosingPoints& points);
   void addCollapsed(const std::vector<int>& side);
@@ -107,6 +108,7 @@ class PoleSolver {
   std::vector<std::vector<int>> collapsed_;
   std::vector<Condition> conditions_;
   std::vector<Closing> closing_;
+  double curvature_scale_ = 1;  ///< of conditions on curvatures
   LeastMoves system_;
 };
 
