@@ -3,6 +3,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <seamwright/occ_adapter/deform/block_cholesky.hpp>
@@ -93,6 +94,20 @@ std::vector<std::vector<int>> structures(const std::vector<std::vector<int>>& ea
   return below;
 }
 
+/// The points of blocks that are no multiples of the unit matrix.
+std::vector<bool> coupledPoints(const BlockPattern& pattern, const std::vector<bool>& is_multiple) {
+  std::vector<bool> is_coupled(pattern.size(), false);
+  for (int j = 0; j < pattern.size(); ++j)
+    for (int k = pattern.begins[j]; k < pattern.begins[j + 1]; ++k)
+      if (!is_multiple[k]) is_coupled[j] = is_coupled[pattern.rows[k]] = true;
+  return is_coupled;
+}
+
+std::vector<int> withCoupledLast(std::vector<int> order, const std::vector<bool>& is_coupled) {
+  std::ranges::stable_partition(order, [&](int point) { return !is_coupled[point]; });
+  return order;
+}
+
 }  // namespace
 
 int BlockCholesky::Front::row(int point) const {
@@ -100,34 +115,65 @@ int BlockCholesky::Front::row(int point) const {
   return columns() + static_cast<int>(std::ranges::lower_bound(below, point) - below.begin());
 }
 
-BlockCholesky::BlockCholesky(const BlockPattern& pattern) {
+double BlockCholesky::Analysis::work() const {
+  double work = 0;
+  for (const Front& front : fronts)
+    work += std::pow(front.size(), 3) * front.columns() * std::pow(front.rows(), 2);
+  return work;
+}
+
+BlockCholesky::BlockCholesky(const BlockPattern& pattern, const std::vector<bool>& is_multiple) {
   const std::vector<int> order = fillReducing(pattern);
-  position_ = inverse(order);
+  Analysis best = analysed(pattern, is_multiple, order);
+  if (!is_multiple.empty()) {
+    Analysis other =
+        analysed(pattern, is_multiple, withCoupledLast(order, coupledPoints(pattern, is_multiple)));
+    if (other.work() < best.work()) best = std::move(other);
+  }
+  position_ = std::move(best.position);
+  fronts_ = std::move(best.fronts);
+}
+
+BlockCholesky::Analysis BlockCholesky::analysed(const BlockPattern& pattern,
+                                                const std::vector<bool>& is_multiple,
+                                                const std::vector<int>& order) {
+  Analysis found;
+  std::vector<int>& position = found.position;
+  std::vector<Front>& fronts = found.fronts;
+  position = inverse(order);
   const std::vector<int> later =
-      inverse(postorder(eliminationTree(earlierNeighbours(pattern, position_))));
-  for (int& position : position_) position = later[position];
-  fronts_ = amalgamated(structures(earlierNeighbours(pattern, position_)));
-  std::vector<int> front_of(position_.size());
-  for (int f = 0; f < static_cast<int>(fronts_.size()); ++f)
-    std::fill(front_of.begin() + fronts_[f].first, front_of.begin() + fronts_[f].last, f);
-  for (int f = 0; f < static_cast<int>(fronts_.size()); ++f) {
-    Front& front = fronts_[f];
+      inverse(postorder(eliminationTree(earlierNeighbours(pattern, position))));
+  for (int& at : position) at = later[at];
+  const std::vector<std::vector<int>> below = structures(earlierNeighbours(pattern, position));
+  std::vector<bool> is_scalar(position.size(), !is_multiple.empty());
+  for (int j = 0; j < pattern.size() && !is_multiple.empty(); ++j)
+    for (int k = pattern.begins[j]; k < pattern.begins[j + 1]; ++k)
+      if (!is_multiple[k]) is_scalar[std::min(position[pattern.rows[k]], position[j])] = false;
+  for (std::size_t j = 0; j < below.size(); ++j)
+    if (!is_scalar[j] && !below[j].empty()) is_scalar[below[j].front()] = false;
+  fronts = amalgamated(below, is_scalar);
+  std::vector<int> front_of(position.size());
+  for (int f = 0; f < static_cast<int>(fronts.size()); ++f)
+    std::fill(front_of.begin() + fronts[f].first, front_of.begin() + fronts[f].last, f);
+  for (int f = 0; f < static_cast<int>(fronts.size()); ++f) {
+    Front& front = fronts[f];
     if (front.below.empty()) continue;
-    Front& parent = fronts_[front_of[front.below.front()]];
+    Front& parent = fronts[front_of[front.below.front()]];
     parent.children.push_back(f);
     for (const int point : front.below) front.in_parent.push_back(parent.row(point));
   }
   for (int j = 0; j < pattern.size(); ++j)
     for (int k = pattern.begins[j]; k < pattern.begins[j + 1]; ++k) {
-      const auto [low, high] = std::minmax(position_[pattern.rows[k]], position_[j]);
-      Front& front = fronts_[front_of[low]];
+      const auto [low, high] = std::minmax(position[pattern.rows[k]], position[j]);
+      Front& front = fronts[front_of[low]];
       front.entries.push_back({k, front.row(high), low - front.first});
     }
+  return found;
 }
 
 /// Columns one after another are one front if that stores few zero blocks.
 std::vector<BlockCholesky::Front> BlockCholesky::amalgamated(
-    const std::vector<std::vector<int>>& below) const {
+    const std::vector<std::vector<int>>& below, const std::vector<bool>& is_scalar) {
   // Shares of a front's blocks that may be zeros. They are choices that trade arithmetic on zeros
   // for larger dense blocks, and change the solution only by rounding. Fronts of up to 6 columns
   // (18 rows of numbers) are small: there the cost of assembly outweighs that of arithmetic.
@@ -135,10 +181,11 @@ std::vector<BlockCholesky::Front> BlockCholesky::amalgamated(
   constexpr int small = 6;
   std::vector<Front> fronts;
   for (int j = 0; j < static_cast<int>(below.size()); ++j) {
-    Front front{j, j + 1, below[j]};
+    Front front{j, j + 1, is_scalar[j], below[j]};
     while (!fronts.empty()) {
       const Front& child = fronts.back();
       if (child.below.empty() || child.below.front() >= front.last) break;
+      if (child.is_scalar != front.is_scalar) break;
       const double zeros =
           child.zeros + front.zeros +
           static_cast<double>(child.columns()) *
@@ -156,70 +203,93 @@ std::vector<BlockCholesky::Front> BlockCholesky::amalgamated(
   return fronts;
 }
 
+/// The matrix of a front: its own blocks and what its children leave, which is dropped.
+Eigen::MatrixXd BlockCholesky::assembled(const Front& front,
+                                         const std::vector<SymmetricBlock>& blocks,
+                                         std::vector<Eigen::MatrixXd>& updates) const {
+  const int all = front.size() * front.rows();
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(all, all);
+  for (const Entry& entry : front.entries) {
+    const SymmetricBlock& b = blocks[entry.block];
+    if (front.is_scalar) {
+      matrix(entry.row, entry.column) += b[0];
+      continue;
+    }
+    Eigen::Matrix3d block;
+    block << b[0], b[3], b[5], b[3], b[1], b[4], b[5], b[4], b[2];
+    matrix.block<3, 3>(3 * entry.row, 3 * entry.column) += block;
+  }
+  // Extend-add, by the relative indices of the child's rows.
+  for (const int child : front.children) {
+    const std::vector<int>& rows = fronts_[child].in_parent;
+    const Eigen::MatrixXd& update = updates[child];
+    for (int j = 0; j < std::ssize(rows); ++j)
+      for (int i = j; i < std::ssize(rows); ++i)
+        if (front.is_scalar)
+          matrix(rows[i], rows[j]) += update(i, j);
+        else if (fronts_[child].is_scalar)
+          matrix.block<3, 3>(3 * rows[i], 3 * rows[j]).diagonal().array() += update(i, j);
+        else
+          matrix.block<3, 3>(3 * rows[i], 3 * rows[j]) += update.block<3, 3>(3 * i, 3 * j);
+    updates[child].resize(0, 0);
+  }
+  return matrix;
+}
+
 bool BlockCholesky::factor(const std::vector<SymmetricBlock>& blocks, double diagonal) {
   // By front: its update matrix, the Schur complement that its parent's front assembles.
   std::vector<Eigen::MatrixXd> updates(fronts_.size());
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
     Front& front = fronts_[f];
-    const int own = 3 * front.columns(), all = 3 * front.rows();
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(all, all);
-    for (const Entry& entry : front.entries) {
-      const SymmetricBlock& b = blocks[entry.block];
-      Eigen::Matrix3d block;
-      block << b[0], b[3], b[5], b[3], b[1], b[4], b[5], b[4], b[2];
-      matrix.block<3, 3>(3 * entry.row, 3 * entry.column) += block;
-    }
+    const int own = front.size() * front.columns(), rest = front.size() * front.rows() - own;
+    Eigen::MatrixXd matrix = assembled(front, blocks, updates);
     matrix.diagonal().head(own).array() += diagonal;
-    // Extend-add, by the relative indices of the child's rows.
-    for (const int child : front.children) {
-      const std::vector<int>& rows = fronts_[child].in_parent;
-      for (std::size_t j = 0; j < rows.size(); ++j)
-        for (std::size_t i = j; i < rows.size(); ++i)
-          matrix.block<3, 3>(3 * rows[i], 3 * rows[j]) +=
-              updates[child].block<3, 3>(3 * static_cast<int>(i), 3 * static_cast<int>(j));
-      updates[child].resize(0, 0);
-    }
     auto corner = matrix.topLeftCorner(own, own);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(corner);
     if (factored.info() != Eigen::Success) return false;
-    auto lower = matrix.bottomLeftCorner(all - own, own);
+    auto lower = matrix.bottomLeftCorner(rest, own);
     corner.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(lower);
-    matrix.bottomRightCorner(all - own, all - own)
-        .selfadjointView<Eigen::Lower>()
-        .rankUpdate(lower, -1);
+    matrix.bottomRightCorner(rest, rest).selfadjointView<Eigen::Lower>().rankUpdate(lower, -1);
     front.panel = matrix.leftCols(own);
-    updates[f] = matrix.bottomRightCorner(all - own, all - own);
+    updates[f] = matrix.bottomRightCorner(rest, rest);
   }
   return true;
 }
 
 PointRows BlockCholesky::solve(const PointRows& right) const {
-  Eigen::VectorXd x(3 * right.rows());
-  for (Eigen::Index k = 0; k < right.rows(); ++k)
-    x.segment<3>(3 * position_[k]) = right.row(k).transpose();
-  const auto gathered = [&x](const Front& front) {
-    Eigen::VectorXd part(3 * static_cast<int>(front.below.size()));
-    for (std::size_t k = 0; k < front.below.size(); ++k)
-      part.segment<3>(3 * static_cast<int>(k)) = x.segment<3>(3 * front.below[k]);
-    return part;
+  PointRows x(right.rows(), 3);
+  for (Eigen::Index k = 0; k < right.rows(); ++k) x.row(position_[k]) = right.row(k);
+  // The rows of a front's points as its panel takes them: three columns, or one of all numbers.
+  const auto with = [&x](const Front& front, const auto& act) {
+    double* const data = x.row(front.first).data();
+    if (front.is_scalar)
+      act(Eigen::Map<PointRows>(data, front.columns(), 3));
+    else
+      act(Eigen::Map<Eigen::VectorXd>(data, 3 * front.columns()));
   };
-  for (const Front& front : fronts_) {
-    const int own = 3 * front.columns();
-    auto part = x.segment(3 * front.first, own);
-    front.panel.topRows(own).triangularView<Eigen::Lower>().solveInPlace(part);
-    const Eigen::VectorXd change = front.panel.bottomRows(front.panel.rows() - own) * part;
-    for (std::size_t k = 0; k < front.below.size(); ++k)
-      x.segment<3>(3 * front.below[k]) -= change.segment<3>(3 * static_cast<int>(k));
-  }
-  for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
-    const int own = 3 * front->columns();
-    auto part = x.segment(3 * front->first, own);
-    part -= front->panel.bottomRows(front->panel.rows() - own).transpose() * gathered(*front);
-    front->panel.topRows(own).triangularView<Eigen::Lower>().transpose().solveInPlace(part);
-  }
+  for (const Front& front : fronts_)
+    with(front, [&](auto part) {
+      using Rows = typename decltype(part)::PlainObject;
+      front.panel.topRows(part.rows()).template triangularView<Eigen::Lower>().solveInPlace(part);
+      const Rows change = front.panel.bottomRows(front.panel.rows() - part.rows()) * part;
+      const Eigen::Map<const PointRows> changes(change.data(), std::ssize(front.below), 3);
+      for (int k = 0; k < std::ssize(front.below); ++k) x.row(front.below[k]) -= changes.row(k);
+    });
+  for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front)
+    with(*front, [&](auto part) {
+      using Rows = typename decltype(part)::PlainObject;
+      PointRows below(std::ssize(front->below), 3);
+      for (int k = 0; k < below.rows(); ++k) below.row(k) = x.row(front->below[k]);
+      const Eigen::Index rest = front->panel.rows() - part.rows();
+      const Eigen::Map<const Rows> beyond(below.data(), rest, part.cols());
+      part -= front->panel.bottomRows(rest).transpose() * beyond;
+      front->panel.topRows(part.rows())
+          .template triangularView<Eigen::Lower>()
+          .transpose()
+          .solveInPlace(part);
+    });
   PointRows solution(right.rows(), 3);
-  for (Eigen::Index k = 0; k < right.rows(); ++k)
-    solution.row(k) = x.segment<3>(3 * position_[k]).transpose();
+  for (Eigen::Index k = 0; k < right.rows(); ++k) solution.row(k) = x.row(position_[k]);
   return solution;
 }
 

@@ -232,18 +232,18 @@ class Deformer {
     const std::vector<Station> stations = stationsOf(places, *zone.surface);
     std::vector<ClosingPoints> closing = closingPoints(*zone.surface, std::max(1, largestOrder()));
     std::erase_if(closing, [&zone](const ClosingPoints& points) { return isBeyond(points, zone); });
-    const SurfaceBasis basis(*zone.surface);
-    std::vector<double> shares;
-    const auto worstOf = [&](const PointRows& poles) {
-      shares = sharesOf(basis, poles, stations, own);
-      return *std::ranges::max_element(shares);
-    };
     kept.size_mm = zone.depth_mm;
     made.depth_mm = zone.depth_mm;
     made.worst = std::numeric_limits<double>::infinity();
+    PoleSolver solver(zone, stations, closing, kept);
+    std::vector<double> shares;
+    const auto worstOf = [&](const std::vector<SurfaceJet>& jets) {
+      shares = sharesOf(jets, stations, own);
+      return *std::ranges::max_element(shares);
+    };
     for (bool is_first = true;; is_first = false) {
-      const PoleMoves moved = movedPoles(zone, stations, closing, kept, worstOf, nearness);
-      const double now = worstOf(polesOf(*moved.after)),
+      const PoleMoves moved = solver.solved(kept.weight, worstOf, nearness);
+      const double now = worstOf(solver.jetsOf(polesOf(*moved.after))),
                    now_mm = strayOf_mm(kept, *zone.surface, *moved.after);
       // What edges keep must not cost the join, unless more knots may give both.
       const bool conflicts = !is_first && now > limit && now > made.worst;
@@ -255,7 +255,7 @@ class Deformer {
       if (conflicts || !is_met || now_mm <= stray_mm || kept.weight >= most_weight) break;
       kept.weight = std::max(first_weight, kept.weight * std::max(growth, now_mm / stray_mm));
     }
-    worstOf(polesOf(*made.after));
+    worstOf(solver.jetsOf(polesOf(*made.after)));
     std::vector<Eigen::Vector2d> missed;
     for (std::size_t i = 0; i < own; ++i)
       if (shares[i] > limit) missed.push_back(stations[i].uv);
@@ -263,14 +263,12 @@ class Deformer {
   }
 
   /// The largest figure of each of the first stations as a share of its tolerance.
-  std::vector<double> sharesOf(const SurfaceBasis& basis, const PointRows& poles,
+  std::vector<double> sharesOf(const std::vector<SurfaceJet>& jets,
                                const std::vector<Station>& stations, std::size_t count) const {
     std::vector<double> shares;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Station& station = stations[i];
-      const SurfaceJet jet = jetOf(basis.at(station.uv, station.step), poles);
-      shares.push_back(shareOf(jet, station.target, station.order, join_.options.tolerance));
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      shares.push_back(
+          shareOf(jets[i], stations[i].target, stations[i].order, join_.options.tolerance));
     return shares;
   }
 

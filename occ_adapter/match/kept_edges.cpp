@@ -18,6 +18,13 @@ bool isMatchedIn(const SideJoin& join, int edge) {
   });
 }
 
+bool moves(const SideJoin& join, int face) {
+  return face == join.face ||
+         (join.options.average && std::ranges::any_of(join.pieces, [face](const SidePiece& piece) {
+            return piece.seam.sides[1].face == face;
+          }));
+}
+
 /// An edge that the mover shares with a face that is not matched there.
 struct SharedEdge {
   int edge = 0;
@@ -35,10 +42,10 @@ std::vector<SharedEdge> sharedEdges(const SideJoin& join, const Mover& mover,
     for (const int k : {0, 1}) {
       if (seam.sides[k].face != mover.number) continue;
       SharedEdge edge{seam.edges[0], seam.sides[k], seam.sides[1 - k]};
-      edge.slides =
-          !join.options.average && StayingSurface(edge.other.shape)
-                                       .surrounds(pcurveOf(edge.other.edge, edge.other.shape,
-                                                           join.options.tolerance.gap_mm));
+      edge.slides = !moves(join, edge.other.face) &&
+                    StayingSurface(edge.other.shape)
+                        .surrounds(pcurveOf(edge.other.edge, edge.other.shape,
+                                            join.options.tolerance.gap_mm));
       shared.push_back(std::move(edge));
     }
   }

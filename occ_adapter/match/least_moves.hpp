@@ -10,58 +10,78 @@
 /// The least moves of points that satisfy linear conditions. Not a public header.
 namespace seamwright::occ {
 
-/// Time and memory grow with the number of pairs of points that occur together in a condition. Not
-/// thread-safe.
+/// Each condition belongs to a part, whose weight solve() is given. Time and memory grow with the
+/// number of pairs of points that occur together in a condition. Not thread-safe.
 class LeastMoves {
  public:
-  explicit LeastMoves(int points) : points_(points) {}
+  explicit LeastMoves(int points, int parts = 1) : points_(points), parts_(parts) {}
 
   /// Prescribes a move. Must be called before the conditions that contain the point are added.
   void fix(int point, const Eigen::Vector3d& move);
 
   /// For each row of factors: direction . (sum of factor times move) = value.
   /// \param factors #values by #points.
-  void add(const std::vector<int>& points, const Eigen::MatrixXd& factors,
-           const Eigen::Vector3d& direction, const Eigen::VectorXd& values);
+  /// \returns the number of the condition
+  int add(const std::vector<int>& points, const Eigen::MatrixXd& factors,
+          const Eigen::Vector3d& direction, const Eigen::VectorXd& values, int part = 0);
   /// Sum of factor times move = value.
-  void addPoint(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
-                const Eigen::Vector3d& value);
+  int addPoint(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
+               const Eigen::Vector3d& value, int part = 0);
+  /// For each row of factors: sum of factor times move = 0. \pre no point is fixed
+  void addZero(const std::vector<int>& points, const Eigen::MatrixXd& factors, int part = 0);
 
-  /// For each row of factors: sum of factor times move = 0, with the weight \p softness of solve().
-  void addSoft(const std::vector<int>& points, const Eigen::MatrixXd& factors);
+  /// Another value of a condition of add() with one row, or of addPoint(). \pre no point is fixed
+  void setValue(int condition, double value);
+  void setValue(int condition, const Eigen::Vector3d& value);
 
-  /// Minimises the sum of the squared residuals of the conditions plus \p damping times the squared
-  /// moves. Returns #points by 3. A second call for the same conditions is faster.
-  PointRows solve(double damping, double softness = 1) const;
+  /// Minimises the sum of the squared residuals of the conditions, each times the weight of its
+  /// part, plus \p damping times the squared moves. Returns #points by 3. Further calls are faster:
+  /// those with other weights, and much more those with other values only.
+  PointRows solve(double damping, const std::vector<double>& weights = {1}) const;
 
  private:
   /// Conditions of the same points: several along one direction, or one in all three coordinates.
   struct Group {
     std::vector<int> points;  ///< they do not decrease
-    Eigen::MatrixXd factors;
+    Eigen::MatrixXd factors;  ///< if is_zero: their products, transposed factors times factors
+    int part = 0;
     bool is_point = false;
-    bool is_soft = false;
-    Eigen::Vector3d direction;  ///< if is_point: the value
-    Eigen::VectorXd values;     ///< if is_point: empty
+    bool is_zero = false;
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< if is_point: the value
+    Eigen::VectorXd values = {};                          ///< if is_point: empty
   };
-  /// The blocks of the normal matrix: those of soft conditions are multiples of the unit matrix.
+  /// Of a point in a group.
+  struct Use {
+    int group, column;
+  };
+  /// What the conditions of a part give to the blocks of the normal matrix, by block: a multiple of
+  /// the unit matrix, and the rest if the part has conditions along directions.
+  struct PartOfNormal {
+    std::vector<double> multiples;
+    std::vector<SymmetricBlock> blocks;
+  };
   struct Normal {
     BlockPattern pattern;
-    std::vector<SymmetricBlock> blocks;
-    std::vector<double> soft;
+    std::vector<PartOfNormal> parts;
   };
   struct Prepared {
     Normal normal;
-    BlockCholesky factors;
+    std::vector<bool> counting = {};  ///< the parts that are in the factors
+    BlockCholesky factors = BlockCholesky(BlockPattern{});
+    double damping = 0;                ///< of the last factorisation
+    std::vector<double> weights = {};  ///< of the last factorisation; empty: there is none
   };
 
-  void addGroup(Group group);
+  int addGroup(Group group);
   static void sortPoints(Group& group);
+  std::vector<std::vector<Use>> usesOfPoints() const;
+  BlockPattern patternOf(const std::vector<std::vector<Use>>& uses) const;
   Normal normalMatrix() const;
-  void factor(double damping, double softness) const;
-  PointRows pulled(const PointRows& moves, double softness) const;
+  void order(const std::vector<double>& weights) const;
+  void factor(double damping, const std::vector<double>& weights) const;
+  PointRows pulled(const PointRows& moves, const std::vector<double>& weights) const;
 
-  int points_;
+  int points_, parts_;
   std::unordered_map<int, Eigen::Vector3d> fixed_;
   std::vector<Group> groups_;
   mutable std::optional<Prepared>

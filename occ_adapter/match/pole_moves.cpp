@@ -42,244 +42,314 @@ struct MovingSum {
   }
 };
 
-/// Sums over poles that are to be small.
-struct Soft {
+/// Sums over poles of which only those that move count.
+struct MovingSums {
   std::vector<int> points;
-  Eigen::MatrixXd factors;
-  std::optional<Eigen::Vector3d> normal = {};  ///< the part of the sum along it counts
+  Eigen::MatrixXd factors;  ///< a sum in each row
 };
 
-/// Rows whose squares add up to the bending energy of the moves in a pair of spans; no rows if
+/// Parameters in a knot span and their weights in an integral over it.
+struct SpanRule {
+  std::vector<double> at, weights;
+};
+
+/// As many points as the degree: with fewer, moves of high degree would seem not to bend.
+std::vector<SpanRule> rulesOf(const SplineAxis& axis) {
+  const GaussRule rule = gaussRule(axis.degree);
+  std::vector<SpanRule> rules;
+  for (const int span : axis.spans()) {
+    SpanRule own;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      own.at.push_back(axis.knots[span] + rule.nodes[i] * axis.length(span));
+      own.weights.push_back(rule.weights[i] * axis.length(span));
+    }
+    rules.push_back(std::move(own));
+  }
+  return rules;
+}
+
+/// Rows whose squares add up to the bending energy of the moves in a pair of spans; no points if
 /// nothing moves there.
-Soft bendingOf(const Zone& zone, const SurfaceBasis& basis, const PointRows& poles,
-               const std::vector<int>& numbers, int span_u, int span_v) {
-  // As Displacement::bending(): enough points for the curvature of a cubic, and a little energy
-  // beyond the face.
-  static const GaussRule rule = gaussRule(3);
+MovingSums bendingOf(const Zone& zone, const SurfaceBasis& basis, const PointRows& poles,
+                     const std::vector<int>& numbers, const SpanRule& span_u,
+                     const SpanRule& span_v) {
+  // A little energy beyond the face.
   constexpr double share_outside = 0.03, share_of_metric = 1e-12;
-  const SplineAxis &u = basis.u(), &v = basis.v();
-  Soft soft;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-      const Eigen::Vector2d uv(u.knots[span_u] + rule.nodes[i] * u.length(span_u),
-                               v.knots[span_v] + rule.nodes[j] * v.length(span_v));
+  MovingSums bending;
+  std::vector<int> kept;
+  Eigen::Index rows = 0;
+  for (std::size_t i = 0; i < span_u.at.size(); ++i)
+    for (std::size_t j = 0; j < span_v.at.size(); ++j) {
+      const Eigen::Vector2d uv(span_u.at[i], span_v.at[j]);
       const PoleShares shares = basis.at(uv);
+      if (kept.empty()) {
+        for (std::size_t k = 0; k < shares.poles.size(); ++k) {
+          if (numbers[shares.poles[k]] < 0) continue;
+          kept.push_back(static_cast<int>(k));
+          bending.points.push_back(numbers[shares.poles[k]]);
+        }
+        if (kept.empty()) return {};
+        bending.factors.resize(3 * std::ssize(span_u.at) * std::ssize(span_v.at), std::ssize(kept));
+      }
       const SurfaceJet jet = jetOf(shares, poles);
       const double least_metric =
           share_of_metric * std::max(jet.u.squaredNorm(), jet.v.squaredNorm());
       if (!(least_metric > 0)) continue;
       const bool is_within =
           (uv.array() >= zone.low.array()).all() && (uv.array() <= zone.high.array()).all();
-      const double area = jet.u.cross(jet.v).norm() * rule.weights[i] * rule.weights[j] *
-                          u.length(span_u) * v.length(span_v) * (is_within ? 1 : share_outside);
-      const Eigen::MatrixXd hessian = std::sqrt(area) * hessianShares(shares, jet, least_metric);
-      for (Eigen::Index row = 0; row < hessian.rows(); ++row) {
-        const MovingSum moving(shares.poles, hessian.row(row), numbers);
-        if (moving.points.empty()) return {};
-        soft.points = moving.points;
-        soft.factors.conservativeResize(soft.factors.rows() + 1, moving.factors.size());
-        soft.factors.bottomRows<1>() = moving.factors;
-      }
+      const double area = jet.u.cross(jet.v).norm() * span_u.weights[i] * span_v.weights[j] *
+                          (is_within ? 1 : share_outside);
+      const Eigen::MatrixXd hessian = hessianShares(shares, jet, least_metric);
+      bending.factors.middleRows<3>(rows) = std::sqrt(area) * hessian(Eigen::indexing::all, kept);
+      rows += 3;
     }
-  return soft;
+  bending.factors.conservativeResize(rows, Eigen::NoChange);
+  return bending;
 }
 
-class PoleSolver {
- public:
-  PoleSolver(const Zone& zone, const std::vector<Station>& stations,
-             const std::vector<ClosingPoints>& closing, const KeptEdges& kept)
-      : zone_(zone),
-        stations_(stations),
-        closing_(closing),
-        kept_(kept),
-        basis_(*zone.surface),
-        numbers_(numbersOf(zone, basis_)),
-        given_(polesOf(*zone.surface)),
-        poles_(given_) {
-    for (const Station& station : stations_) shares_.push_back(basis_.at(station.uv, station.step));
-    // Poles of one point differ by rounding only.
-    collapsed_ = collapsedSides(basis_, poles_, 0);
-    setRow();
-    setBending();
-  }
+}  // namespace
 
-  PoleMoves solved(const WorstShare& worst, const Nearness& nearness) {
-    constexpr int most_solutions = 16;
-    // Of what was missed before. What comes nearer more slowly needs less weight of bending.
-    constexpr double slow = 0.5, least_softness = 0.0009;
-    PointRows best = poles_;
-    double least = std::numeric_limits<double>::infinity(), missed_mm = least, softness = 1,
-           most_mm = least;
-    for (int k = 0; k < most_solutions && least > nearness.enough; ++k) {
-      step(softness);
-      const double share = worst(poles_), now_mm = largestMissed_mm(),
-                   move_mm = (poles_ - given_).rowwise().norm().maxCoeff();
-      if (move_mm > most_mm) break;
-      if (share <= least) best = poles_;
-      least = std::min(least, share);
-      const bool is_slow = !(now_mm < slow * missed_mm);
-      missed_mm = now_mm;
-      if (!is_slow) continue;
-      if (softness == 1) most_mm = nearness.most_growth * move_mm;
-      softness /= 10;
-      if (softness < least_softness || least <= nearness.limit) break;
-    }
-    PoleMoves moves;
-    moves.after = handle<Geom_BSplineSurface>::DownCast(zone_.surface->Copy());
-    moves.largest_mm = (best - given_).rowwise().norm().maxCoeff();
-    setPoles(*moves.after, best);
-    return moves;
-  }
-
- private:
-  Eigen::Vector3d sum(const PoleShares& shares, const Eigen::RowVectorXd& factors) const {
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < shares.poles.size(); ++k)
-      total += factors[static_cast<Eigen::Index>(k)] * poles_.row(shares.poles[k]).transpose();
-    return total;
-  }
-
-  /// Solves once.
-  void step(double softness) {
-    LeastMoves system(static_cast<int>(zone_.poles.size()));
-    for (std::size_t i = 0; i < stations_.size(); ++i) addStation(stations_[i], shares_[i], system);
-    for (const ClosingPoints& points : closing_) addClosing(points, softness, system);
-    for (const std::vector<int>& side : collapsed_) addCollapsed(side, system);
-    for (const Soft& soft : bending_)
-      if (soft.normal)
-        system.add(soft.points, softness * soft.factors, *soft.normal, Eigen::VectorXd::Zero(1));
-      else
-        system.addSoft(soft.points, soft.factors);
-    // Bending decides among moves that meet the conditions, and the size of the moves among those
-    // that bend alike. Both are squared: small against 1, and far above rounding.
-    constexpr double damping = 1e-6;
-    const PointRows moves = system.solve(damping, softness);
-    for (std::size_t k = 0; k < zone_.poles.size(); ++k)
-      poles_.row(zone_.poles[k]) += moves.row(static_cast<Eigen::Index>(k));
-    for (const std::vector<int>& side : collapsed_) {
-      const Eigen::RowVector3d first = poles_.row(side.front());
-      if (numbers_[side.front()] >= 0)
-        for (const int pole : side) poles_.row(pole) = first;
-    }
-  }
-
-  /// The largest value of a condition.
-  double largestMissed_mm() const {
-    double missed_mm = 0;
-    for (std::size_t i = 0; i < stations_.size(); ++i) {
-      const Station& station = stations_[i];
-      const PoleShares& shares = shares_[i];
-      const auto include = [&](double value) { missed_mm = std::max(missed_mm, std::abs(value)); };
-      include((station.target.point - sum(shares, shares.share.row(0))).norm());
-      if (station.order < 1 || !station.target.normal) continue;
-      const Eigen::Vector3d& n = *station.target.normal;
-      const Eigen::Vector3d way = sum(shares, derivative(shares, station.step));
-      include(n.dot(way));
-      if (station.order < 2) continue;
-      const Eigen::RowVectorXd second = secondDerivative(shares, station.step, station.step);
-      include(way.dot(station.target.curvature * way) - n.dot(sum(shares, second)));
-    }
-    return missed_mm;
-  }
-
-  void addStation(const Station& station, const PoleShares& shares, LeastMoves& system) const {
-    const Eigen::RowVectorXd at = shares.share.row(0);
-    const Eigen::Vector3d missing = station.target.point - sum(shares, at);
-    const MovingSum point(shares.poles, at, numbers_);
-    if (point.points.empty()) return;
-    system.addPoint(point.points, point.factors, missing);
-    if (station.order < 1 || !station.target.normal) return;
-    const Eigen::Vector3d& n = *station.target.normal;
-    const Eigen::RowVectorXd across = derivative(shares, station.step);
-    const Eigen::Vector3d way = sum(shares, across);
-    const auto add = [&](const Eigen::RowVectorXd& factors, double value) {
-      const MovingSum moving(shares.poles, factors, numbers_);
-      system.add(moving.points, moving.factors, n, Eigen::VectorXd::Constant(1, value));
-    };
-    add(across, -n.dot(way));
-    if (station.order < 2) return;
-    const Eigen::RowVectorXd second = secondDerivative(shares, station.step, station.step);
-    add(second, way.dot(station.target.curvature * way) - n.dot(sum(shares, second)));
-  }
-
-  void addClosing(const ClosingPoints& points, double softness, LeastMoves& system) const {
-    // What closes is not to open by what the bending weighs.
-    const double weight = std::max(1.0, 100 * softness);
-    Eigen::Vector2d into = Eigen::Vector2d::Zero();
-    into[points.direction] = points.into;
-    const PoleShares one = basis_.at(points.uv, into), other = basis_.at(points.other_uv, -into);
-    const std::array<int, 3> rows = {0, 1 + points.direction, points.direction == 0 ? 3 : 5};
-    double ratio = 1;
-    for (int k = 0; k <= points.order; ++k, ratio *= points.ratio) {
-      std::vector<int> poles = one.poles;
-      poles.insert(poles.end(), other.poles.begin(), other.poles.end());
-      Eigen::RowVectorXd factors(static_cast<Eigen::Index>(poles.size()));
-      factors << ratio * one.share.row(rows[k]), -other.share.row(rows[k]);
-      factors *=
-          weight / std::max(factors.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
-      const MovingSum moving(poles, factors, numbers_);
-      if (moving.points.empty()) continue;
-      Eigen::Vector3d opened = Eigen::Vector3d::Zero();
-      for (std::size_t i = 0; i < poles.size(); ++i)
-        opened += factors[static_cast<Eigen::Index>(i)] *
-                  (poles_.row(poles[i]) - given_.row(poles[i])).transpose();
-      system.addPoint(moving.points, moving.factors, -opened);
-    }
-  }
-
-  void addCollapsed(const std::vector<int>& side, LeastMoves& system) const {
-    for (std::size_t k = 1; k < side.size(); ++k) {
-      const MovingSum sum({side[0], side[k]}, Eigen::RowVector2d(1, -1), numbers_);
-      if (!sum.points.empty()) system.addPoint(sum.points, sum.factors, Eigen::Vector3d::Zero());
-    }
-  }
-
-  /// The mean distance of the rows of poles at the stations. Conditions on derivatives are as long
-  /// as it, so energies in its square compare with them for any size of the model.
-  void setRow() {
-    int count = 0;
-    for (std::size_t i = 0; i < stations_.size(); ++i) {
-      if (stations_[i].order < 1) continue;
-      row_mm_ += sum(shares_[i], derivative(shares_[i], stations_[i].step)).norm();
-      ++count;
-    }
-    row_mm_ = count > 0 ? row_mm_ / count : 1;
-  }
-
-  /// Rows whose squares add up to the bending energy of the moves, times the square of the row.
-  void setBending() {
-    for (const int span_u : basis_.u().spans())
-      for (const int span_v : basis_.v().spans()) {
-        Soft soft = bendingOf(zone_, basis_, poles_, numbers_, span_u, span_v);
-        soft.factors *= row_mm_;
-        if (!soft.points.empty()) bending_.push_back(std::move(soft));
-      }
-    if (kept_.weight == 0) return;
-    for (const KeptPoint& point : kept_.points) {
-      const PoleShares shares = basis_.at(point.uv);
-      const double factor = row_mm_ / kept_.size_mm * std::sqrt(point.share);
-      const MovingSum moving(shares.poles, factor * shares.share.row(0), numbers_);
-      if (moving.points.empty()) continue;
-      bending_.push_back({moving.points, std::sqrt(kept_.weight) * moving.factors, point.normal});
-      // Edges slide no further than is needed: little against the energy of a turn.
-      constexpr double sliding_weight = 10;
-      if (point.normal)
-        bending_.push_back({moving.points, std::sqrt(sliding_weight) * moving.factors});
-    }
-  }
-
-  const Zone& zone_;
-  const std::vector<Station>& stations_;
-  const std::vector<ClosingPoints>& closing_;
-  const KeptEdges& kept_;
-  SurfaceBasis basis_;
-  std::vector<int> numbers_;
-  PointRows given_, poles_;
-  std::vector<PoleShares> shares_;
-  std::vector<std::vector<int>> collapsed_;
-  double row_mm_ = 0;
-  std::vector<Soft> bending_;
+/// A condition of a station, whose value changes with the poles.
+struct PoleSolver::Condition {
+  int number = 0;   ///< of the system
+  int station = 0;  ///< its number
+  int order = 0;
 };
+
+/// Points that close, as a sum over poles.
+struct PoleSolver::Closing {
+  std::vector<int> poles;
+  Eigen::RowVectorXd factors;
+  int number = 0;  ///< of the system
+};
+
+namespace {
+
+/// The conditions of the system by what they weigh.
+enum Part { Stations, Bending, Closings, Kept, Sliding, Parts };
+
+/// What the conditions of a station miss: a point, and numbers for the derivatives.
+Eigen::Vector3d missedPoint(const Station& station, const SurfaceJet& jet) {
+  return station.target.point - jet.p;
+}
+
+double missedDerivative(const Station& station, const SurfaceJet& jet, int order) {
+  const Eigen::Vector3d& n = *station.target.normal;
+  const Eigen::Vector2d& s = station.step;
+  const Eigen::Vector3d way = s[0] * jet.u + s[1] * jet.v;
+  if (order == 1) return -n.dot(way);
+  const Eigen::Vector3d second =
+      s[0] * s[0] * jet.uu + 2 * s[0] * s[1] * jet.uv + s[1] * s[1] * jet.vv;
+  return way.dot(station.target.curvature * way) - n.dot(second);
+}
+
+}  // namespace
+
+PoleSolver::PoleSolver(const Zone& zone, const std::vector<Station>& stations,
+                       const std::vector<ClosingPoints>& closing, const KeptEdges& kept)
+    : zone_(zone),
+      stations_(stations),
+      basis_(*zone.surface),
+      numbers_(numbersOf(zone, basis_)),
+      given_(polesOf(*zone.surface)),
+      poles_(given_),
+      system_(static_cast<int>(zone.poles.size()), Parts) {
+  for (const Station& station : stations_) shares_.push_back(basis_.at(station.uv, station.step));
+  // Poles of one point differ by rounding only.
+  collapsed_ = collapsedSides(basis_, poles_, 0);
+  const double row_mm = meanRow_mm();
+  // Else curvatures would weigh the less against bending the denser the knots are.
+  curvature_scale_ = std::max(1.0, zone.depth_mm / row_mm);
+  for (std::size_t i = 0; i < stations_.size(); ++i) addStation(static_cast<int>(i));
+  for (const ClosingPoints& points : closing) addClosing(points);
+  for (const std::vector<int>& side : collapsed_) addCollapsed(side);
+  addBending(row_mm);
+  addKept(kept, row_mm / kept.size_mm);
+}
+
+PoleSolver::~PoleSolver() = default;
+
+std::vector<SurfaceJet> PoleSolver::jetsOf(const PointRows& poles) const {
+  std::vector<SurfaceJet> jets;
+  jets.reserve(shares_.size());
+  for (const PoleShares& shares : shares_) jets.push_back(jetOf(shares, poles));
+  return jets;
+}
+
+PoleMoves PoleSolver::solved(double kept_weight, const WorstShare& worst,
+                             const Nearness& nearness) {
+  constexpr int most_solutions = 16;
+  // Of what was missed before. What comes nearer more slowly needs less weight of bending.
+  constexpr double slow = 0.5, least_softness = 0.0009;
+  poles_ = given_;
+  std::vector<SurfaceJet> jets = jetsOf(poles_);
+  PointRows best = poles_;
+  double least = std::numeric_limits<double>::infinity(), missed_mm = least, softness = 1,
+         most_mm = least;
+  for (int k = 0; k < most_solutions && least > nearness.enough; ++k) {
+    step(jets, softness, kept_weight);
+    jets = jetsOf(poles_);
+    const double share = worst(jets), now_mm = largestMissed_mm(jets),
+                 move_mm = (poles_ - given_).rowwise().norm().maxCoeff();
+    if (move_mm > most_mm) break;
+    if (share <= least) best = poles_;
+    least = std::min(least, share);
+    const bool is_slow = !(now_mm < slow * missed_mm);
+    missed_mm = now_mm;
+    if (!is_slow) continue;
+    if (softness == 1) most_mm = nearness.most_growth * move_mm;
+    softness /= 10;
+    if (softness < least_softness || least <= nearness.limit) break;
+  }
+  PoleMoves moves;
+  moves.after = handle<Geom_BSplineSurface>::DownCast(zone_.surface->Copy());
+  moves.largest_mm = (best - given_).rowwise().norm().maxCoeff();
+  setPoles(*moves.after, best);
+  return moves;
+}
+
+/// Solves once.
+void PoleSolver::step(const std::vector<SurfaceJet>& jets, double softness, double kept_weight) {
+  for (const Condition& condition : conditions_) {
+    const Station& station = stations_[condition.station];
+    const SurfaceJet& jet = jets[condition.station];
+    if (condition.order == 0)
+      system_.setValue(condition.number, missedPoint(station, jet));
+    else
+      system_.setValue(condition.number,
+                       scaleOf(condition.order) * missedDerivative(station, jet, condition.order));
+  }
+  for (const Closing& closing : closing_) {
+    Eigen::Vector3d opened = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < closing.poles.size(); ++i)
+      opened += closing.factors[static_cast<Eigen::Index>(i)] *
+                (poles_.row(closing.poles[i]) - given_.row(closing.poles[i])).transpose();
+    system_.setValue(closing.number, Eigen::Vector3d(-opened));
+  }
+  // What closes is not to open by what the bending weighs. Edges slide no further than is needed:
+  // little against the energy of a turn.
+  constexpr double closing_weight = 100, sliding_weight = 10;
+  std::vector<double> weights(Parts, 1);
+  weights[Bending] = softness;
+  weights[Closings] = std::max(1.0, closing_weight * softness);
+  weights[Kept] = softness * std::sqrt(kept_weight);
+  weights[Sliding] = kept_weight > 0 ? softness * std::sqrt(sliding_weight) : 0;
+  // Bending decides among moves that meet the conditions, and the size of the moves among those
+  // that bend alike. Both are squared: small against 1, and far above rounding.
+  constexpr double damping = 1e-6;
+  const PointRows moves = system_.solve(damping, weights);
+  for (std::size_t k = 0; k < zone_.poles.size(); ++k)
+    poles_.row(zone_.poles[k]) += moves.row(static_cast<Eigen::Index>(k));
+  for (const std::vector<int>& side : collapsed_) {
+    const Eigen::RowVector3d first = poles_.row(side.front());
+    if (numbers_[side.front()] >= 0)
+      for (const int pole : side) poles_.row(pole) = first;
+  }
+}
+
+/// The largest value of a condition.
+double PoleSolver::largestMissed_mm(const std::vector<SurfaceJet>& jets) const {
+  double missed_mm = 0;
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    const Station& station = stations_[i];
+    missed_mm = std::max(missed_mm, missedPoint(station, jets[i]).norm());
+    for (int order = 1; order <= station.order && station.target.normal; ++order)
+      missed_mm =
+          std::max(missed_mm, scaleOf(order) * std::abs(missedDerivative(station, jets[i], order)));
+  }
+  return missed_mm;
+}
+
+/// The mean distance of the rows of poles at the stations. Conditions on derivatives are as long as
+/// it, so energies in its square compare with them for any size of the model.
+double PoleSolver::meanRow_mm() const {
+  const std::vector<SurfaceJet> jets = jetsOf(given_);
+  double sum_mm = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    if (stations_[i].order < 1) continue;
+    sum_mm += (stations_[i].step[0] * jets[i].u + stations_[i].step[1] * jets[i].v).norm();
+    ++count;
+  }
+  return count > 0 ? sum_mm / count : 1;
+}
+
+void PoleSolver::addStation(int number) {
+  const Station& station = stations_[number];
+  const PoleShares& shares = shares_[number];
+  const MovingSum point(shares.poles, shares.share.row(0), numbers_);
+  if (point.points.empty()) return;
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  conditions_.push_back({system_.addPoint(point.points, point.factors, zero, Stations), number, 0});
+  for (int order = 1; order <= station.order && station.target.normal; ++order) {
+    const MovingSum moving(shares.poles,
+                           order == 1 ? derivative(shares, station.step)
+                                      : secondDerivative(shares, station.step, station.step),
+                           numbers_);
+    const Eigen::VectorXd value = Eigen::VectorXd::Zero(1);
+    conditions_.push_back({system_.add(moving.points, scaleOf(order) * moving.factors,
+                                       *station.target.normal, value, Stations),
+                           number, order});
+  }
+}
+
+void PoleSolver::addClosing(const ClosingPoints& points) {
+  Eigen::Vector2d into = Eigen::Vector2d::Zero();
+  into[points.direction] = points.into;
+  const PoleShares one = basis_.at(points.uv, into), other = basis_.at(points.other_uv, -into);
+  const std::array<int, 3> rows = {0, 1 + points.direction, points.direction == 0 ? 3 : 5};
+  double ratio = 1;
+  for (int k = 0; k <= points.order; ++k, ratio *= points.ratio) {
+    Closing closing;
+    closing.poles = one.poles;
+    closing.poles.insert(closing.poles.end(), other.poles.begin(), other.poles.end());
+    closing.factors.resize(std::ssize(closing.poles));
+    closing.factors << ratio * one.share.row(rows[k]), -other.share.row(rows[k]);
+    closing.factors /=
+        std::max(closing.factors.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
+    const MovingSum moving(closing.poles, closing.factors, numbers_);
+    if (moving.points.empty()) continue;
+    closing.number =
+        system_.addPoint(moving.points, moving.factors, Eigen::Vector3d::Zero(), Closings);
+    closing_.push_back(std::move(closing));
+  }
+}
+
+void PoleSolver::addCollapsed(const std::vector<int>& side) {
+  for (std::size_t k = 1; k < side.size(); ++k) {
+    const MovingSum sum({side[0], side[k]}, Eigen::RowVector2d(1, -1), numbers_);
+    if (!sum.points.empty()) system_.addZero(sum.points, sum.factors, Stations);
+  }
+}
+
+/// The bending energy of the moves, times the square of the row.
+void PoleSolver::addBending(double row_mm) {
+  const std::vector<SpanRule> rules_v = rulesOf(basis_.v());
+  for (const SpanRule& span_u : rulesOf(basis_.u()))
+    for (const SpanRule& span_v : rules_v) {
+      const MovingSums bending = bendingOf(zone_, basis_, given_, numbers_, span_u, span_v);
+      if (!bending.points.empty())
+        system_.addZero(bending.points, row_mm * bending.factors, Bending);
+    }
+}
+
+void PoleSolver::addKept(const KeptEdges& kept, double rows) {
+  for (const KeptPoint& point : kept.points) {
+    const PoleShares shares = basis_.at(point.uv);
+    const MovingSum moving(shares.poles, rows * std::sqrt(point.share) * shares.share.row(0),
+                           numbers_);
+    if (moving.points.empty()) continue;
+    if (!point.normal) {
+      system_.addZero(moving.points, moving.factors, Kept);
+      continue;
+    }
+    const Eigen::VectorXd value = Eigen::VectorXd::Zero(1);
+    system_.add(moving.points, moving.factors, *point.normal, value, Kept);
+    system_.addZero(moving.points, moving.factors, Sliding);
+  }
+}
+
+namespace {
 
 /// How far the derivatives on both sides of a line are alike: the order, 0 to \p order. Sets the
 /// ratio of their lengths.
@@ -344,12 +414,6 @@ std::vector<ClosingPoints> closingPoints(const Geom_BSplineSurface& surface, int
     addLine(basis, poles, order, line, closing);
   }
   return closing;
-}
-
-PoleMoves movedPoles(const Zone& zone, const std::vector<Station>& stations,
-                     const std::vector<ClosingPoints>& closing, const KeptEdges& kept,
-                     const WorstShare& worst, const Nearness& nearness) {
-  return PoleSolver(zone, stations, closing, kept).solved(worst, nearness);
 }
 
 }  // namespace seamwright::occ

@@ -4,8 +4,10 @@
 #include <functional>
 #include <optional>
 
+#include <seamwright/occ_adapter/match/least_moves.hpp>
 #include <seamwright/occ_adapter/match/side_piece.hpp>
 #include <seamwright/occ_adapter/match/zone.hpp>
+#include <seamwright/occ_adapter/repair/surface_basis.hpp>
 
 /// Moves poles of a surface so that points of it meet targets. Not a public header.
 namespace seamwright::occ {
@@ -53,9 +55,8 @@ struct PoleMoves {
   double largest_mm = 0;  ///< of a pole, so that no point moves further
 };
 
-/// The largest figure of the stations as a share of its tolerance, for these poles of the zone's
-/// surface.
-using WorstShare = std::function<double(const PointRows& poles)>;
+/// The largest figure of the stations as a share of its tolerance, for jets of the surface there.
+using WorstShare = std::function<double(const std::vector<SurfaceJet>& jets)>;
 
 /// How near to its targets a surface has to come.
 struct Nearness {
@@ -67,13 +68,48 @@ struct Nearness {
   double most_growth = 3;
 };
 
-/// Moves the poles of the zone with the least bending of the moves: the integral of |Hess d|^2 over
+/// Moves the poles of a zone with the least bending of the moves: the integral of |Hess d|^2 over
 /// the face, in the metric of the surface. Conditions of a station: X = point, n . X_s = 0 for its
 /// step s, n . X_ss = II(X_s, X_s). Each solution comes nearer to them and bends more; the nearest
 /// one is taken. Poles of a side that is one point stay one point. Weights stay.
 /// Source: docs/theory/surfaces.md S5.6.
-PoleMoves movedPoles(const Zone& zone, const std::vector<Station>& stations,
-                     const std::vector<ClosingPoints>& closing, const KeptEdges& kept,
-                     const WorstShare& worst, const Nearness& nearness);
+class PoleSolver {
+ public:
+  /// Zone and stations must outlive it. \param kept its points; the weight is that of solved().
+  PoleSolver(const Zone& zone, const std::vector<Station>& stations,
+             const std::vector<ClosingPoints>& closing, const KeptEdges& kept);
+  ~PoleSolver();
+
+  /// Further calls are faster: the conditions are the same.
+  PoleMoves solved(double kept_weight, const WorstShare& worst, const Nearness& nearness);
+  /// At the stations, for these poles of the zone's surface.
+  std::vector<SurfaceJet> jetsOf(const PointRows& poles) const;
+
+ private:
+  struct Condition;
+  struct Closing;
+
+  double meanRow_mm() const;
+  double scaleOf(int order) const { return order < 2 ? 1 : curvature_scale_; }
+  void addStation(int number);
+  void addClosing(const ClosingPoints& points);
+  void addCollapsed(const std::vector<int>& side);
+  void addBending(double row_mm);
+  void addKept(const KeptEdges& kept, double rows);
+  void step(const std::vector<SurfaceJet>& jets, double softness, double kept_weight);
+  double largestMissed_mm(const std::vector<SurfaceJet>& jets) const;
+
+  const Zone& zone_;
+  const std::vector<Station>& stations_;
+  SurfaceBasis basis_;
+  std::vector<int> numbers_;
+  PointRows given_, poles_;
+  std::vector<PoleShares> shares_;
+  std::vector<std::vector<int>> collapsed_;
+  std::vector<Condition> conditions_;
+  std::vector<Closing> closing_;
+  double curvature_scale_ = 1;  ///< of conditions on curvatures
+  LeastMoves system_;
+};
 
 }  // namespace seamwright::occ

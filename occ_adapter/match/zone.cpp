@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
@@ -13,6 +12,7 @@
 #include <set>
 
 #include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/match/face_cells.hpp>
 #include <seamwright/occ_adapter/match/zone.hpp>
 
 namespace seamwright::occ {
@@ -131,19 +131,21 @@ double lengthOf_mm(const std::vector<Eigen::Vector3d>& points) {
   return length;
 }
 
-/// Functions of an axis by non-empty span, and the ends of the spans.
+/// The functions of an axis by span that is not empty, and the knots between these.
 struct AxisCells {
   std::vector<std::vector<int>> functions;
-  std::vector<Eigen::Vector2d> ends;
+  GridLines lines;
 };
 
 AxisCells cellsOf(const SplineAxis& axis) {
   AxisCells cells;
+  cells.lines.periodic = axis.periodic;
   for (const int span : axis.spans()) {
     std::vector<int> functions;
     for (int i = span - axis.degree; i <= span; ++i) functions.push_back(axis.pole(i));
     cells.functions.push_back(std::move(functions));
-    cells.ends.emplace_back(axis.knots[span], axis.knots[span + 1]);
+    if (cells.lines.at.empty()) cells.lines.at.push_back(axis.knots[span]);
+    cells.lines.at.push_back(axis.knots[span + 1]);
   }
   return cells;
 }
@@ -327,35 +329,22 @@ bool ZoneMaker::isAllowed(const Eigen::Vector2d& low, const Eigen::Vector2d& hig
 }
 
 Zone ZoneMaker::zone() const {
-  // In each direction of a cell. A choice: trimming that is finer is not seen.
-  constexpr int points = 4;
   const SurfaceBasis basis(*surface_);
   const AxisCells u = cellsOf(basis.u()), v = cellsOf(basis.v());
-  BRepTopAdaptor_FClass2d classifier(face_, Precision::PConfusion());
-  const auto insideOf = [&](const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
-    std::vector<Eigen::Vector2d> inside;
-    for (int i = 0; i < points; ++i)
-      for (int j = 0; j < points; ++j) {
-        const Eigen::Vector2d share((i + 0.5) / points, (j + 0.5) / points);
-        const Eigen::Vector2d uv = low + share.cwiseProduct(high - low);
-        if (classifier.Perform(gp_Pnt2d(uv[0], uv[1])) == TopAbs_IN) inside.push_back(uv);
-      }
-    return inside;
-  };
-  std::set<int> forbidden, near;
+  FaceCells cells(face_, {u.lines, v.lines});
+  std::vector<bool> forbidden(static_cast<std::size_t>(basis.u().poles) * basis.v().poles, false),
+      near = forbidden;
   Zone zone;
-  for (std::size_t i = 0; i < u.ends.size(); ++i)
-    for (std::size_t j = 0; j < v.ends.size(); ++j) {
-      const Eigen::Vector2d low(u.ends[i][0], v.ends[j][0]), high(u.ends[i][1], v.ends[j][1]);
-      const std::vector<Eigen::Vector2d> inside = insideOf(low, high);
-      const bool is_outside = inside.empty(),
-                 is_allowed = is_outside || isAllowed(low, high, inside);
+  for (int i = 0; i < std::ssize(u.functions); ++i)
+    for (int j = 0; j < std::ssize(v.functions); ++j) {
+      const std::vector<Eigen::Vector2d> inside = cells.inside(i, j);
+      if (inside.empty()) continue;
+      const Eigen::Vector2d low(u.lines.at[i], v.lines.at[j]),
+          high(u.lines.at[i + 1], v.lines.at[j + 1]);
+      const bool is_allowed = isAllowed(low, high, inside);
       for (const int a : u.functions[i])
-        for (const int b : v.functions[j]) {
-          if (!is_allowed) forbidden.insert(basis.pole(a, b));
-          if (!is_outside && is_allowed) near.insert(basis.pole(a, b));
-        }
-      if (is_outside || !is_allowed) continue;
+        for (const int b : v.functions[j]) (is_allowed ? near : forbidden)[basis.pole(a, b)] = true;
+      if (!is_allowed) continue;
       double nearest_mm = std::numeric_limits<double>::infinity();
       for (const Reach& reach : reaches_)
         nearest_mm = std::min(nearest_mm, farthest_mm(reach, inside));
@@ -364,7 +353,8 @@ Zone ZoneMaker::zone() const {
   zone.surface = surface_;
   zone.low = face_low_;
   zone.high = face_high_;
-  std::ranges::set_difference(near, forbidden, std::back_inserter(zone.poles));
+  for (int pole = 0; pole < std::ssize(near); ++pole)
+    if (near[pole] && !forbidden[pole]) zone.poles.push_back(pole);
   return zone;
 }
 

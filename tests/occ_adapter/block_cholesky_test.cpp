@@ -24,6 +24,7 @@ using Pairs = std::set<std::pair<int, int>>;
 /// A matrix of blocks, as both factorisations want it.
 struct Blocks {
   BlockPattern pattern;
+  std::vector<bool> is_multiple;
   std::vector<SymmetricBlock> blocks;
   Sparse matrix;
 };
@@ -41,7 +42,9 @@ void addBlock(int i, int j, const SymmetricBlock& b, std::vector<Eigen::Triplet<
 }
 
 /// Diagonal blocks so large beside the others of their row that the matrix is positive definite.
-Blocks blocksOf(int size, const Pairs& pairs, std::mt19937& random) {
+/// \param coupled share of the blocks that are no multiples of the unit matrix.
+Blocks blocksOf(int size, const Pairs& pairs, std::mt19937& random, double coupled = 1) {
+  std::bernoulli_distribution is_coupled(coupled);
   Blocks result;
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<int> degree(size, 1);
@@ -53,6 +56,8 @@ Blocks blocksOf(int size, const Pairs& pairs, std::mt19937& random) {
     for (int i = 0; i <= j; ++i) {
       if (i < j && pairs.count({i, j}) == 0) continue;
       SymmetricBlock block = randomBlock(random);
+      result.is_multiple.push_back(!is_coupled(random));
+      if (result.is_multiple.back()) block << block[0], block[0], block[0], 0, 0, 0;
       if (i == j) block.head<3>().array() += 3.5 * degree[j];
       result.pattern.rows.push_back(i);
       result.blocks.push_back(block);
@@ -72,7 +77,7 @@ PointRows randomPoints(int size, std::mt19937& random) {
 }
 
 void expectSolved(const Blocks& blocks, double diagonal, std::mt19937& random) {
-  BlockCholesky own(blocks.pattern);
+  BlockCholesky own(blocks.pattern, blocks.is_multiple);
   ASSERT_TRUE(own.factor(blocks.blocks, diagonal));
   Sparse matrix = blocks.matrix;
   for (int k = 0; k < matrix.rows(); ++k) matrix.coeffRef(k, k) += diagonal;
@@ -124,6 +129,17 @@ TEST(BlockCholesky, SolvesAsEigenDoes) {
           banded(size, size)})
       expectSolved(blocksOf(size, pairs, random), 0, random);
   }
+}
+
+TEST(BlockCholesky, MultiplesOfTheUnitMatrixMayBeAnywhere) {
+  std::mt19937 random(testSeed());
+  for (const double coupled : {0.0, 0.03, 0.3, 1.0})
+    for (const int size : {1, 3, 20, 60}) {
+      SCOPED_TRACE(size);
+      for (const Pairs& pairs : {Pairs(), banded(size, 4), arrow(size, false),
+                                 blockDiagonal(size, 5), scattered(size, 0.1, random)})
+        expectSolved(blocksOf(size, pairs, random, coupled), 0, random);
+    }
 }
 
 TEST(BlockCholesky, NumbersOfPointsDoNotMatter) {

@@ -55,5 +55,42 @@ TEST(LeastMoves, AreThoseOfADenseFactorisation) {
   }
 }
 
+TEST(LeastMoves, PartsHaveWeightsAndValuesMayChange) {
+  std::mt19937 generator(testSeed());
+  const auto number = [&] { return random(generator, 1); };
+  constexpr int points = 9;
+  constexpr double damping = 0.01;
+  LeastMoves system(points, 3);
+  bool is_built = false;
+  for (int round = 0; round < 2; ++round)
+    for (const std::vector<double>& weights :
+         {std::vector<double>{1, 0.1, 0}, {1, 0.1, 0}, {1, 0.01, 3}, {1, 0.1, 0}}) {
+      DenseRows dense(points);
+      for (int k = 0; k < points; ++k) {
+        const std::vector<int> list = {k, (k + 4) % points, (k + 1) % points};
+        const Eigen::MatrixXd factors = Eigen::Matrix3d{{1, 2, -1}, {0.5, k * 1.0, 1}, {2, 1, 1}};
+        const Eigen::Vector3d direction(1, k * 0.1, -1), value(number(), number(), number());
+        const double along = number();
+        if (!is_built) {
+          system.addPoint(list, factors.row(0), Eigen::Vector3d::Zero());
+          system.addZero(list, factors, 1);
+          system.add(list, factors.row(2), direction, Eigen::VectorXd::Zero(1), 2);
+        }
+        system.setValue(3 * k, value);
+        system.setValue(3 * k + 2, along);
+        dense.addPoint(list, factors.row(0), value);
+        for (Eigen::Index row = 0; row < 3; ++row)
+          dense.addPoint(list, weights[1] * factors.row(row), Eigen::Vector3d::Zero());
+        dense.add(list, weights[2] * factors.row(2), direction, weights[2] * along);
+      }
+      is_built = true;
+      const PointRows moves = system.solve(damping, weights);
+      const Eigen::VectorXd oracle =
+          dense.solve(Eigen::VectorXd::Constant(3 * points, std::nan("")), damping);
+      const Eigen::Map<const Eigen::VectorXd> found(moves.data(), moves.size());
+      EXPECT_LT((found - oracle).norm(), 1e-8 * (1 + oracle.norm())) << round;
+    }
+}
+
 }  // namespace
 }  // namespace seamwright::test

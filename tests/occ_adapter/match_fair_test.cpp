@@ -85,6 +85,30 @@ TEST(MatchFair, TheMoveIsTheProfileOfLeastEnergy) {
     }
 }
 
+// With fewer points of integration in a span than the degree, waves would seem not to bend, and the
+// face would be refused as less fair.
+TEST(MatchFair, FacesOfHighDegreeGetNoWaves) {
+  constexpr double length_mm = 80, width_mm = 40, rise = 0.02, depth_mm = 40;
+  for (const int degree : {3, 5, 8}) {
+    TColgp_Array2OfPnt poles(1, degree + 1, 1, 6);
+    for (int i = 0; i <= degree; ++i)
+      for (int j = 0; j <= 5; ++j)
+        poles(i + 1, j + 1) =
+            gp_Pnt(length_mm * i / degree, width_mm * j / 5, rise * length_mm * i / degree);
+    BRepBuilderAPI_Sewing sewing(1e-6);
+    sewing.Add(polygonFace({{-30, 0, 0}, {0, 0, 0}, {0, width_mm, 0}, {-30, width_mm, 0}}));
+    sewing.Add(wholeFace(splineOf(poles, degree, 5)));
+    sewing.Perform();
+    const TopoDS_Shape plates = sewing.SewedShape();
+    const int plane = BRepAdaptor_Surface(face(plates, 1)).GetType() == GeomAbs_Plane ? 1 : 2;
+    SideMatchOptions options;
+    options.depth_mm = depth_mm;
+    const SideMatchReport report = matchSides(
+        plates, 3 - plane, {{.side = {{edgeNear(plates, {0, 20, 0})}}, .order = 1}}, options);
+    EXPECT_TRUE(report.matched) << degree << ": " << report.text();
+  }
+}
+
 // Without the walls' edges sliding they would be 4 angle depth / 27 = 0.09 mm and more away.
 TEST(MatchFair, EdgesSlideOnWallsThatStay) {
   for (const double rise : {0.02, 0.06, 0.12}) {
