@@ -4,6 +4,7 @@
 #include <seamwright/core/planar/sampled_chain.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/python/planar.hpp>
 #include <seamwright/plugin/python/results.hpp>
 
@@ -56,14 +57,12 @@ ArcChain offsetChain(const ArcChain& chain, const py::object& distance_mm) {
 }
 
 py::object fitArcsOf(const py::object& curve, const py::object& tolerance_mm,
-                     const py::object& corner_rad) {
+                     const py::object& corner_rad, const py::object& progress) {
   const BezierSpline spline = bezierSplineOf("curve", curve);
   const ArcFitOptions options{.tolerance_mm = parameter("tolerance_mm", tolerance_mm),
                               .corner_rad = parameter("corner_rad", corner_rad)};
-  const ArcFit fit = [&] {
-    const py::gil_scoped_release release;
-    return fitArcs(spline, options);
-  }();
+  const ArcFit fit = longCall(
+      progress, [&](const Progress& share) { return fitArcs(spline, options, share); });
   const ArcChain chain(fit.arcs, fit.closed, fit.corners);
   py::dict dict;
   dict["chain"] = chain;
@@ -234,15 +233,15 @@ equal points. Source: docs/theory/planar.md P1.2.
 )");
   module.def(
       "fit_arcs", &fitArcsOf, py::arg("curve"), py::arg("tolerance_mm") = 0.01, py::kw_only(),
-      py::arg("corner_rad") = 1e-3,
+      py::arg("corner_rad") = 1e-3, py::arg("progress") = py::none(),
       R"(Arcs and lines within a tolerance of a curve of any class in the plane z = 0: an ArcFit.
 
 The distance is proven in both directions. The chain is G1; a joint of the curve that turns by more
 than corner_rad stays a corner, unless it joins sides of a polygon that a smooth curve within the
 tolerance explains. A closed BezierSpline gives a closed chain. ValueError for a
 tolerance or an angle that makes no sense, a pole outside of the plane, a curve that stops or turns
-back (with the parameter), and a tolerance below the rounding of the curve. Source:
-docs/theory/planar.md P9.1, P9.2, P9.4, P9.5.
+back (with the parameter), and a tolerance below the rounding of the curve. progress: as for
+Model.analyze(). Source: docs/theory/planar.md P9.1, P9.2, P9.4, P9.5.
 )");
 }
 

@@ -4,6 +4,7 @@
 #include <seamwright/core/planar/clothoid_spline.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/python/planar.hpp>
 #include <seamwright/plugin/python/results.hpp>
 
@@ -86,14 +87,12 @@ py::object clothoidSplineOf(const py::object& points, const py::object& closed,
 }
 
 py::object fitClothoidsOf(const py::object& curve, const py::object& tolerance_mm,
-                          const py::object& corner_rad) {
+                          const py::object& corner_rad, const py::object& progress) {
   const BezierSpline spline = bezierSplineOf("curve", curve);
   const ClothoidFitOptions options{.tolerance_mm = parameter("tolerance_mm", tolerance_mm),
                                    .corner_rad = parameter("corner_rad", corner_rad)};
-  const ClothoidFit fit = [&] {
-    const py::gil_scoped_release release;
-    return fitClothoids(spline, options);
-  }();
+  const ClothoidFit fit = longCall(
+      progress, [&](const Progress& share) { return fitClothoids(spline, options, share); });
   py::dict dict;
   dict["chain"] = ClothoidChain(fit.pieces, fit.closed);
   dict["corners"] = py::tuple(py::cast(fit.corners));
@@ -222,12 +221,12 @@ if the steps do not converge, with the jump of curvature that is left: then poin
 inserted. Source: docs/theory/planar.md P4.4.
 )");
   module.def("fit_clothoids", &fitClothoidsOf, py::arg("curve"), py::arg("tolerance_mm") = 0.01,
-             py::kw_only(), py::arg("corner_rad") = 1e-3,
+             py::kw_only(), py::arg("corner_rad") = 1e-3, py::arg("progress") = py::none(),
              R"(Clothoids within a tolerance of a curve in the plane z = 0: a ClothoidFit.
 
 The distance is proven in both directions. The chain is G2 between corners. Lines and arcs of the
-curve stay lines and arcs with a clothoid between neighbours. ValueError as for fit_arcs(). Source:
-docs/theory/planar.md P4.4 to P4.6.
+curve stay lines and arcs with a clothoid between neighbours. progress: as for Model.analyze().
+ValueError as for fit_arcs(). Source: docs/theory/planar.md P4.4 to P4.6.
 )");
 }
 

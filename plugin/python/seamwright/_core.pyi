@@ -565,7 +565,11 @@ def sampled_arcs(
     points: Numbers, *, closed: bool = False, tolerance_mm: Number = 0.01
 ) -> Optional[_r.SampledArcs]: ...
 def fit_arcs(
-    curve: Curve, tolerance_mm: Number = 0.01, *, corner_rad: Number = 0.001
+    curve: Curve,
+    tolerance_mm: Number = 0.01,
+    *,
+    corner_rad: Number = 0.001,
+    progress: Progress = None,
 ) -> _r.ArcFit: ...
 def biarc(
     start: Numbers,
@@ -611,7 +615,11 @@ def clothoid_spline(
     end_curvature_per_mm: Optional[Number] = None,
 ) -> _r.ClothoidSpline: ...
 def fit_clothoids(
-    curve: Curve, tolerance_mm: Number = 0.01, *, corner_rad: Number = 0.001
+    curve: Curve,
+    tolerance_mm: Number = 0.01,
+    *,
+    corner_rad: Number = 0.001,
+    progress: Progress = None,
 ) -> _r.ClothoidFit: ...
 def log_spiral(
     start: Numbers,

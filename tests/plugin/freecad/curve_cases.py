@@ -3,6 +3,7 @@
 
 import math
 import re
+import time
 
 import FreeCAD as App
 import models
@@ -298,6 +299,47 @@ class Clothoids(DocumentCase):
         line = Part.makeLine(App.Vector(), App.Vector(10, 0, 0))
         made = curves.make("Clothoid", [line, arc])
         self.assertIn("2 separate curves", clothoid.Clothoid.text(made.report))
+
+
+class Stopping(DocumentCase):
+    def test_long_fits_stop_when_they_are_asked_to(self):
+        module = kernel.load(Part.OCC_VERSION)
+        curve = Part.BSplineCurve()
+        curve.interpolate([App.Vector(*point) for point in WAVE])
+        for kind in (arcs.Arcs, clothoid.Clothoid):
+            values = {option.argument: option.default for option in kind.OPTIONS}
+            values["tolerance_mm"] = 1e-9  # some ten seconds
+            asked = []
+
+            def progress(fraction, asked=asked):
+                asked.append(fraction)
+                return len(asked) < 20
+
+            gathered = kind.gather(module, [curve.toShape()], values)
+            began = time.monotonic()
+            with self.assertRaises(module.Cancelled):
+                kind.compute(module, gathered, values, progress)
+            self.assertEqual(len(asked), 20)
+            self.assertLess(time.monotonic() - began, 5)
+
+    def test_bad_shapes_are_refused_with_a_reason(self):
+        with self.assertRaisesRegex(TypeError, "a Part.Shape or a list of them is needed"):
+            curves.make("Arcs", "abc")
+        far = Part.makeLine(App.Vector(), App.Vector(1e99, 0, 0))
+        for kind in ("Arcs", "Clothoid", "Spline"):
+            with self.assertRaisesRegex(ValueError, "must be finite and below 1e.15 mm|infinite|far"):
+                curves.make(kind, far)
+        with self.assertRaisesRegex(ValueError, "must be finite and below"):
+            curves.make("Spline", [], points_mm=[(1e300, 0, 0), (-1e300, 0, 0), (0, 0, 0)])
+        with self.assertRaisesRegex(ValueError, "at most 10000"):
+            curves.make("Spline", slot(), samples=100000)
+        with self.assertRaisesRegex(ValueError, "tolerance_mm = None is no number"):
+            curves.make("Arcs", slot(), tolerance_mm=None)
+
+    def test_a_line_needs_no_arc(self):
+        text = curves.make("Arcs", Part.makeLine(App.Vector(), App.Vector(9, 1, 0))).summary
+        self.assertTrue(text.startswith("No arcs and 1 line, "), text)
+        self.assertTrue(text.endswith("(proven)."), text)
 
 
 class Conics(DocumentCase):

@@ -131,6 +131,13 @@ def check_not_deleted(obj, prop, required):
         ))
 
 
+def without_sources(obj, prop):
+    """Return the sentence, with a place for the advice, about a property that has no links."""
+    if _linked(obj, prop):
+        return tr("the sources were deleted: {advice}")
+    return tr("there are no sources: {advice}")
+
+
 def advice(kind, prop, required):
     """Return how the user chooses other links for a property."""
     (title,) = [title for own, title, _ in kind.LINKS if own == prop]

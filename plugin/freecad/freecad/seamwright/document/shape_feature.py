@@ -7,7 +7,12 @@ import Part
 
 from freecad.seamwright.document import feature, sources
 from freecad.seamwright.document.curves import inputs
-from freecad.seamwright.document.option_feature import OptionFeature, links_of, values_of
+from freecad.seamwright.document.option_feature import (
+    OptionFeature,
+    links_of,
+    values_of,
+    without_sources,
+)
 from freecad.seamwright.plain import kernel, options
 from freecad.seamwright.plain.language import inside, tr
 
@@ -77,9 +82,9 @@ class ShapeFeature(OptionFeature):
         chosen = {name: links_of(obj, name) for name, *_ in cls.LINKS}
         values = values_of(obj)
         if not chosen[cls.LINKS[0][0]] and cls.needs_sources(values):
-            raise sources.SourceError(
-                tr("the sources were deleted: {advice}").format(advice=cls.advice("Sources"))
-            )
+            raise sources.SourceError(without_sources(obj, "Sources").format(
+                advice=cls.advice("Sources")
+            ))
         cls.check_links(obj, chosen)
         options.checked(cls.OPTIONS, values)
         shapes = {name: inputs.shapes_of(each) for name, each in chosen.items()}

@@ -48,6 +48,8 @@ def arcs_text(report):
     text = capital(text)
     if not report["least_arcs"]:
         return text + tr(": the points are samples of these.")
+    if not report["arcs"]:
+        return text + tr(" (proven).")
     return text + tr(" (proven); no fewer than {least_arcs} will do.").format(
         least_arcs=counted(report["least_arcs"], "arc")
     )

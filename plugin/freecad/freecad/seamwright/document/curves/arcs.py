@@ -12,7 +12,7 @@ import Part
 import Sketcher
 
 from freecad.seamwright.document.curves import inputs, results
-from freecad.seamwright.document.curves.curve import Curve
+from freecad.seamwright.document.curves.curve import Curve, share_of
 from freecad.seamwright.document.curves.plane import Plane, plane_of
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.document.feature import report_of
@@ -91,12 +91,16 @@ class Arcs(Curve):
         """Return the Fits."""
         tolerance = values["tolerance_mm"]
         if gathered.splines:
-            fits = [[(module.fit_arcs(each, tolerance), 0.0)] for each in gathered.splines]
+            count = len(gathered.splines)
+            fits = [
+                [(module.fit_arcs(each, tolerance, progress=share_of(progress, k, count)), 0.0)]
+                for k, each in enumerate(gathered.splines)
+            ]
         elif values["through"] == POLYGON:
             polygon = _polygon(module, gathered.points, gathered.closed)
-            fits = [[(module.fit_arcs(polygon, tolerance), 0.0)]]
+            fits = [[(module.fit_arcs(polygon, tolerance, progress=progress), 0.0)]]
         else:
-            fits = [_near_points(module, gathered, tolerance)]
+            fits = [_near_points(module, gathered, tolerance, progress)]
         return Fits(gathered.plane, fits)
 
     @classmethod
@@ -160,14 +164,17 @@ def _polygon(module, points, closed):
     return module.BezierSpline(1, range(len(poles)), poles, None, closed)
 
 
-def _near_points(module, gathered, tolerance_mm):
+def _near_points(module, gathered, tolerance_mm, progress):
     """Return the lines and arcs of which points are samples, or else arcs from corner to corner.
 
     Those with fewer arcs are taken.
     """
     points, closed = gathered.points, gathered.closed
     runs = runs_of(module, points, closed, tolerance_mm)
-    found = [_through(module, *run, tolerance_mm) for run in runs]
+    found = [
+        _through(module, *run, tolerance_mm, share_of(progress, place, len(runs)))
+        for place, run in enumerate(runs)
+    ]
     if tolerance_mm == 0:
         return found
     sampled = module.sampled_arcs(points, closed=closed, tolerance_mm=tolerance_mm)
@@ -176,19 +183,19 @@ def _near_points(module, gathered, tolerance_mm):
     return [(sampled, 0.0)]
 
 
-def _through(module, points, closed, tolerance_mm):
+def _through(module, points, closed, tolerance_mm, progress):
     """Return the arcs near the clothoids or the biarcs through points, whichever are fewer."""
     ends = end_directions(points, closed)
     biarcs = module.biarc_spline(points, closed=closed, **ends)
     if tolerance_mm == 0:
         return _Exactly(biarcs), 0.0
-    found = [(module.fit_arcs(biarcs, tolerance_mm), 0.0)]
+    found = [(module.fit_arcs(biarcs, tolerance_mm, progress=progress), 0.0)]
     try:
         chain = module.clothoid_spline(points, closed=closed, **ends).chain
     except ValueError:  # points that are too far apart for the turn between them
         return found[0]
     near = chain.bezier_spline(SPLINE_SHARE * tolerance_mm)
-    fit = module.fit_arcs(near.curve, tolerance_mm - near.distance_mm)
+    fit = module.fit_arcs(near.curve, tolerance_mm - near.distance_mm, progress=progress)
     return min([*found, (fit, near.distance_mm)], key=lambda pair: len(pair[0].chain))
 
 

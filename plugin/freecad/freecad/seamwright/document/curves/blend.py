@@ -7,7 +7,7 @@ The class path is written into documents: neither rename nor move it.
 from typing import Any, List, NamedTuple
 
 from freecad.seamwright.document.curves import inputs, results
-from freecad.seamwright.document.curves.curve import Curve
+from freecad.seamwright.document.curves.curve import Curve, each_asked, share_of
 from freecad.seamwright.plain import curve_text
 from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, COUNT, FLAG, LENGTH, Option
@@ -124,7 +124,10 @@ class BlendCurves(Curve):
             lofts = _lofts(module, blend, order, tolerance, progress)
         else:
             last = values["frames"] - 1
-            frames = [blend.frame_at(k / last).curve for k in range(values["frames"])]
+            places = [k / last for k in range(values["frames"])]
+            frames = [
+                blend.frame_at(place).curve for place in each_asked(module, progress, places)
+            ]
         return Blended(len(gathered), matched.summary, keys_mm, order, frames, lofts)
 
     @classmethod
@@ -172,7 +175,7 @@ def _lofts(module, blend, order, tolerance_mm, progress):
         if not whole:
             frames = _part(module, blend, *part)
             given = {"omegas": span, "stations": inner}
-        share = _share(progress, place, len(ends) - 1)
+        share = share_of(progress, place, len(ends) - 1)
         lofts.append(
             module.frame_loft(
                 frames, order=order, tolerance_mm=tolerance_mm, progress=share, **given
@@ -205,10 +208,3 @@ def _part(module, blend, first, last):
         return module.BezierSpline.from_segments(segments, knots)
 
     return frame
-
-
-def _share(progress, place, count):
-    """Return a progress for one of several computations."""
-    if progress is None:
-        return None
-    return lambda fraction: progress((place + fraction) / count)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from freecad.seamwright.document.curves import results
 from freecad.seamwright.document.curves.arcs import FLATNESS, gather_planar
-from freecad.seamwright.document.curves.curve import Curve
+from freecad.seamwright.document.curves.curve import Curve, share_of
 from freecad.seamwright.document.curves.plane import Plane
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.plain import curve_text
@@ -87,8 +87,12 @@ class Clothoid(Curve):
             ))
         spline_mm = SPLINE_SHARE * tolerance
         if gathered.splines:
+            count = len(gathered.splines)
             fits = [
-                module.fit_clothoids(each, tolerance - spline_mm) for each in gathered.splines
+                module.fit_clothoids(
+                    each, tolerance - spline_mm, progress=share_of(progress, place, count)
+                )
+                for place, each in enumerate(gathered.splines)
             ]
             chains = [[(fit.chain, fit.distance_mm)] for fit in fits]
         else:

@@ -36,6 +36,21 @@ class Curve(ShapeFeature):
         return report.get("points_mm", [])
 
 
+def share_of(progress, place, count):
+    """Return the progress of one of several computations; None without one."""
+    if progress is None:
+        return None
+    return lambda fraction: progress((place + fraction) / count)
+
+
+def each_asked(module, progress, items):
+    """Yield the items of a list. Raises Cancelled where the progress says that it is stopped."""
+    for place, item in enumerate(items):
+        if progress is not None and not progress(place / len(items)):
+            raise module.Cancelled
+        yield item
+
+
 def is_curve(obj):
     """Return whether a document object is one of these curves."""
     return isinstance(getattr(obj, "Proxy", None), Curve)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.arcs import FLATNESS, SPLINE_SHARE, gather_points
-from freecad.seamwright.document.curves.curve import Curve
+from freecad.seamwright.document.curves.curve import Curve, each_asked
 from freecad.seamwright.document.curves.plane import Plane
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.plain import curve_text
@@ -104,7 +104,7 @@ class FairCurve(Curve):
         return [
             [
                 (edge, _fair_edge(module, curve, values, _ends(values, closed, len(edges))))
-                for edge, curve in edges
+                for edge, curve in each_asked(module, progress, edges)
             ]
             for closed, edges in gathered
         ]

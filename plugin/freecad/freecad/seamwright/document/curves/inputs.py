@@ -15,6 +15,9 @@ from freecad.seamwright.plain.summary import counted
 #: Ends of edges no further apart than this are one point: the tolerance of FreeCAD's wires.
 GAP_MM = 1e-7
 
+#: Coordinates of points are smaller: OpenCASCADE takes larger ones for infinite.
+MOST_MM = 1e15
+
 
 class Chain(NamedTuple):
     """Edges end to end; ``edges``: [(edge, whether it runs backwards), ...]."""
@@ -90,6 +93,7 @@ def chains_of(shapes):
 
 def _chain(edges):
     ends = [ends_of(edge) for edge in edges]
+    check_places([tuple(point) for pair in ends for point in pair])
     at = ends[0][1]
     if len(edges) > 1 and not any(_meet(at, point) for point in ends[1]):
         at = ends[0][0]
@@ -214,12 +218,25 @@ def _points_on(edge, backwards, samples):
     return [tuple(edge.valueAt(first + (last - first) * k / count)) for k in range(count)]
 
 
+def check_places(points):
+    """Raise ValueError for a point that is not finite or too far away."""
+    for point in points:
+        if not all(abs(coordinate) < MOST_MM for coordinate in point):
+            raise ValueError(
+                tr("a point is ({point}): coordinates must be finite and below {most:g} mm").format(
+                    point="%g, %g, %g" % tuple(point), most=MOST_MM
+                )
+            )
+
+
 def checked_points(points, closed):
     """Return (points (count, 3), whether they are closed); they are where the ends are the same.
 
-    Raises ValueError for one point, and for neighbours that are the same point.
+    Raises ValueError for one point, for neighbours that are the same point, and for points that are
+    not finite or too far away.
     """
     points = [tuple(point) for point in points]
+    check_places(points)
     if len(points) > 2 and numpy.abs(numpy.subtract(points[0], points[-1])).max() <= GAP_MM:
         points, closed = points[:-1], True
     if len(points) < 2:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The kinds of curves by name, with the functions that make them."""
 
+import Part
+
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.curves.arcs import Arcs
 from freecad.seamwright.document.curves.blend import BlendCurves
@@ -40,6 +42,9 @@ def make(kind, shapes, **options):
     compiled part is missing.
     """
     shapes = list(shapes) if isinstance(shapes, (list, tuple)) else [shapes]
+    for shape in shapes:
+        if not isinstance(shape, Part.Shape):
+            raise TypeError("shapes has %r: a Part.Shape or a list of them is needed" % (shape,))
     return _kind(kind).make(shapes, **options)
 
 

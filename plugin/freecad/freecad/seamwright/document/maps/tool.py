@@ -18,6 +18,7 @@ from freecad.seamwright.document.option_feature import (
     links_of,
     set_values,
     values_of,
+    without_sources,
 )
 from freecad.seamwright.plain import kernel, options
 from freecad.seamwright.plain.language import tr
@@ -133,7 +134,7 @@ class Tool(OptionFeature):
         for name in inputs:
             if not inputs[name]:
                 raise sources.SourceError(
-                    tr("the sources were deleted: {advice}").format(advice=cls.advice(name))
+                    without_sources(obj, name).format(advice=cls.advice(name))
                 )
         return cls.work(inputs, values), values
 
