@@ -12,6 +12,7 @@ The first route that passes its self-test (a box is sent there and back) is used
 returns its name, ``force()`` sets it, ``why_not()`` says why the better routes are not used.
 """
 
+import collections
 import math
 import os
 
@@ -243,13 +244,14 @@ def curve_to_freecad(curve):
     poles = [_vector(pole) for pole in curve.poles]
     weights = [float(weight) for weight in curve.weights]
     if isinstance(curve, _core.BSplineCurve):
-        knots = sorted(set(curve.knots))
+        counts = collections.Counter(curve.knots)
+        knots = sorted(counts)
         _require_apart(knots)
         spline = part.BSplineCurve()
         given = {"weights": weights} if curve.is_rational else {}
         spline.buildFromPolesMultsKnots(
             poles=poles,
-            mults=[curve.knots.count(knot) for knot in knots],
+            mults=[counts[knot] for knot in knots],
             knots=knots,
             periodic=False,
             degree=curve.degree,

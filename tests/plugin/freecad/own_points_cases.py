@@ -35,7 +35,7 @@ class OwnPoints(DocumentCase):
         self.assertLess(obj.Shape.distToShape(Part.Vertex(70, 0, 5))[0], 1e-9)
         obj.Points = []
         self.doc.recompute()
-        self.assertFailed(obj, "the sources were deleted")
+        self.assertFailed(obj, "there are no sources")
 
     def test_points_of_sources_are_moved(self):
         source = models.add(self.doc, Part.Compound(vertices(WAVE)), "Points")

@@ -49,7 +49,8 @@ def slides(points, closed, by_length):
         numpy.minimum(*chords) > 0, (chords[0] + chords[1]) / 2, numpy.maximum(*chords)
     )
     size = numpy.linalg.norm(numpy.ptp(points, axis=0))
-    normal = numpy.linalg.svd(points - points.mean(axis=0))[2][2]
+    triangle = numpy.linalg.qr(points - points.mean(axis=0), mode="r")
+    normal = numpy.linalg.svd(triangle, full_matrices=True)[2][2]
     normal = normal * (1 if normal[numpy.argmax(abs(normal))] > 0 else -1)
     out = points - (before + after) / 2
     along = after - before

@@ -35,7 +35,8 @@ class Plane:
         contains the line and, if that is possible, is level.
         """
         centre = points.mean(axis=0)
-        _, sizes, directions = numpy.linalg.svd(points - centre, full_matrices=True)
+        triangle = numpy.linalg.qr(points - centre, mode="r")  # as large for any number of points
+        _, sizes, directions = numpy.linalg.svd(triangle, full_matrices=True)
         if len(sizes) < 2 or sizes[1] <= LINE_SHARE * sizes[0]:
             normal = _level_normal(directions[0] if sizes[0] > 0 else numpy.array([1.0, 0, 0]))
         else:

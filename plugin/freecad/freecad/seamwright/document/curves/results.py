@@ -72,32 +72,35 @@ def spline_edges(module, spline):
     It is divided where it is not C1: OpenCASCADE sweeps, offsets and meshes C1 curves only.
     """
     segments = [spline.segment(place) for place in range(spline.segments)]
-    runs, knots = [[segments[0]]], [spline.knots[:2]]
-    for place, segment in enumerate(segments[1:], 1):
-        if _is_smooth(spline, segments[place - 1], segment, place):
-            runs[-1].append(segment)
-            knots[-1] = [*knots[-1], spline.knots[place + 1]]
-        else:
-            runs.append([segment])
-            knots.append(spline.knots[place : place + 2])
+    smooth = _smooth_joints(spline, segments)
+    ends = [0, *(numpy.flatnonzero(~smooth) + 1), len(segments)]
     splines = [
-        module.BezierSpline.from_segments(run, own, False, GAP_MM) for run, own in zip(runs, knots)
+        module.BezierSpline.from_segments(
+            segments[first:last], spline.knots[first : last + 1], False, GAP_MM
+        )
+        for first, last in zip(ends, ends[1:])
     ]
     return [module.curve_to_freecad(each).toShape() for each in splines]
 
 
-def _is_smooth(spline, before, after, place):
-    left, right = numpy.diff(spline.knots[place - 1 : place + 2])
-    arriving = numpy.asarray(before.derivatives(1.0, 1))[1] / left
-    leaving = numpy.asarray(after.derivatives(0.0, 1))[1] / right
-    size = max(numpy.linalg.norm(arriving), numpy.linalg.norm(leaving))
-    same = numpy.linalg.norm(arriving - leaving) <= SAME_DERIVATIVE * size
-    if not (spline.is_rational and same):
-        return bool(same)
+def _smooth_joints(spline, segments):
+    """Return for each inner joint whether the spline is C1 there."""
+    widths = numpy.diff(spline.knots)[:, None]
+    arriving, leaving = (
+        numpy.array([each.derivatives(end, 1)[1] for each in segments]) / widths
+        for end in (1.0, 0.0)
+    )
+    arriving, leaving = arriving[:-1], leaving[1:]
+    size = numpy.maximum(*(numpy.linalg.norm(each, axis=1) for each in (arriving, leaving)))
+    smooth = numpy.linalg.norm(arriving - leaving, axis=1) <= SAME_DERIVATIVE * size
+    if not spline.is_rational:
+        return smooth
     weights = numpy.asarray(spline.weights)
-    at = place * spline.degree
-    slopes = (weights[at] - weights[at - 1]) / left, (weights[at + 1] - weights[at]) / right
-    return bool(abs(slopes[0] - slopes[1]) <= SAME_DERIVATIVE * max(weights[at], *map(abs, slopes)))
+    at = numpy.arange(1, len(segments)) * spline.degree
+    before = (weights[at] - weights[at - 1]) / widths[:-1, 0]
+    after = (weights[at + 1] - weights[at]) / widths[1:, 0]
+    largest = numpy.max([weights[at], abs(before), abs(after)], axis=0)
+    return smooth & (abs(before - after) <= SAME_DERIVATIVE * largest)
 
 
 def figures(module, curve, length_mm):

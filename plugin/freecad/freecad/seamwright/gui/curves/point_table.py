@@ -48,15 +48,16 @@ class PointTable(QtWidgets.QTableWidget):
         ]
         self._shows = True
         self.setRowCount(count)
-        unit = lengths.unit().name
+        unit = lengths.unit()
         self.setHorizontalHeaderLabels(
-            ["%s %s" % (axis, unit) for axis in AXES] + [tr(heading) for _, heading in COLUMNS]
+            ["%s %s" % (axis, unit.name) for axis in AXES]
+            + [tr(heading) for _, heading in COLUMNS]
         )
         for column in range(len(COLUMNS)):
             self.setColumnHidden(len(AXES) + column, column >= len(columns))
         for row in range(count):
             for axis in range(len(AXES)):
-                self._put(row, axis, "%.7g" % lengths.shown(points[row][axis]))
+                self._put(row, axis, "%.7g" % (points[row][axis] / unit.mm))
             for column, numbers in enumerate(self._numbers, len(AXES)):
                 text = options.numbers_text(numbers[row : row + 1]) if row < len(numbers) else ""
                 self._put(row, column, text)

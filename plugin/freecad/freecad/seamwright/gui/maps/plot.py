@@ -38,38 +38,37 @@ class Plot(QtWidgets.QWidget):
         self.setMouseTracking(True)
         self.setToolTip(tr("Move the mouse: the point is marked on the seam in the view"))
         self.lines, self._title, self._unit, self._at = [], "", "", None
+        self._starts, self._top = [0.0], 1.0
 
     def show_lines(self, lines, title, unit):
         """Draw these Lines."""
         self.lines, self._title, self._unit, self._at = list(lines), title, unit, None
+        self._starts = [0.0]  # where lines begin, and the end of the last one
+        for line in self.lines:
+            self._starts.append(self._starts[-1] + line.lengths[-1])
+        every = [
+            each
+            for line in self.lines
+            for each in (*line.values, line.upper, line.lower)
+            if each is not None
+        ]
+        self._top = ROOM * max(every, default=0.0) or 1.0
         self.update()
 
     # Positions.
-
-    def _starts(self):
-        starts = [0.0]
-        for line in self.lines:
-            starts.append(starts[-1] + line.lengths[-1])
-        return starts
-
-    def _top(self):
-        every = [each for line in self.lines for each in line.values if each is not None]
-        every += [line.upper for line in self.lines if line.upper is not None]
-        every += [line.lower for line in self.lines if line.lower is not None]
-        return ROOM * max(every, default=0.0) or 1.0
 
     def _area(self):
         return QtCore.QRectF(self.rect()).adjusted(LEFT, TOP, -RIGHT, -BOTTOM)
 
     def _place(self, x, y):
-        area, whole = self._area(), self._starts()[-1] or 1.0
+        area, whole = self._area(), self._starts[-1] or 1.0
         return QtCore.QPointF(
-            area.left() + x / whole * area.width(), area.bottom() - y / self._top() * area.height()
+            area.left() + x / whole * area.width(), area.bottom() - y / self._top * area.height()
         )
 
     def point_at(self, across):
         """Return (line, place) of the point nearest to a horizontal position in pixels."""
-        area, starts = self._area(), self._starts()
+        area, starts = self._area(), self._starts
         x = (across - area.left()) / max(area.width(), 1.0) * starts[-1]
         index = max(k for k in range(len(self.lines)) if k == 0 or starts[k] <= x)
         lengths = self.lines[index].lengths
@@ -99,7 +98,7 @@ class Plot(QtWidgets.QWidget):
         painter.fillRect(self.rect(), QtGui.QColor(*PAPER))
         if self.lines:
             self._draw_axes(painter)
-            for start, line in zip(self._starts(), self.lines):
+            for start, line in zip(self._starts, self.lines):
                 self._draw_bounds(painter, start, line)
                 self._draw_values(painter, start, line)
             if self._at is not None:
@@ -110,14 +109,14 @@ class Plot(QtWidgets.QWidget):
         area, text = self._area(), QtGui.QColor(*INK)
         grid = QtGui.QPen(QtGui.QColor(*GRID), 1.0, QtCore.Qt.DotLine)
         right = QtCore.Qt.AlignVCenter | QtCore.Qt.AlignRight
-        for y in ticks(0.0, self._top(), 4):
+        for y in ticks(0.0, self._top, 4):
             spot = self._place(0.0, y)
             painter.setPen(grid)
             painter.drawLine(spot, QtCore.QPointF(area.right(), spot.y()))
             painter.setPen(text)
             box = QtCore.QRectF(0, spot.y() - 10, LEFT - 6, 20)
             painter.drawText(box.toRect(), right, figure(y))
-        for x in ticks(0.0, self._starts()[-1], 6):
+        for x in ticks(0.0, self._starts[-1], 6):
             spot = self._place(x, 0.0)
             painter.setPen(grid)
             painter.drawLine(spot, QtCore.QPointF(spot.x(), area.top()))
@@ -134,7 +133,7 @@ class Plot(QtWidgets.QWidget):
         """Draw the band in which the largest value certainly lies."""
         if line.lower is None:
             return
-        high = self._top() if line.upper is None else line.upper
+        high = self._top if line.upper is None else line.upper
         low_left = self._place(start, line.lower)
         high_right = self._place(start + line.lengths[-1], high)
         painter.fillRect(QtCore.QRectF(low_left, high_right).normalized(), QtGui.QColor(*BAND))
@@ -156,7 +155,7 @@ class Plot(QtWidgets.QWidget):
     def _draw_pointer(self, painter):
         index, place = self._at
         line, area = self.lines[index], self._area()
-        spot = self._place(self._starts()[index] + line.lengths[place], line.values[place] or 0.0)
+        spot = self._place(self._starts[index] + line.lengths[place], line.values[place] or 0.0)
         painter.setPen(QtGui.QPen(QtGui.QColor(*INK), 1.0))
         painter.drawLine(
             QtCore.QPointF(spot.x(), area.top()), QtCore.QPointF(spot.x(), area.bottom())

@@ -981,8 +981,12 @@ Shown: {show}</source>
 Gezeigt: {show}</translation>
     </message>
     <message>
-        <source> (proven); at least {least_arcs} are needed.</source>
-        <translation> (bewiesen); mindestens {least_arcs} sind nötig.</translation>
+        <source> (proven).</source>
+        <translation> (bewiesen).</translation>
+    </message>
+    <message>
+        <source> (proven); no fewer than {least_arcs} will do.</source>
+        <translation> (bewiesen); weniger als {least_arcs} genügen nicht.</translation>
     </message>
     <message>
         <source> ({share} % less)</source>
@@ -999,6 +1003,10 @@ Gezeigt: {show}</translation>
     <message>
         <source> If all points are vertices, the spline follows them; else the points are its own, and it follows no sources.</source>
         <translation> Sind alle Punkte Ecken, folgt der Spline diesen; sonst gehören die Punkte ihm selbst, und er folgt keinen Quellen.</translation>
+    </message>
+    <message>
+        <source> There are {curves} separate curves: edges that do not touch are not joined; Bridge Curve does that.</source>
+        <translation> Es sind {curves} getrennte Kurven: Kanten, die sich nicht berühren, werden nicht verbunden; das macht „Brückenkurve“.</translation>
     </message>
     <message>
         <source> and </source>
@@ -2173,6 +2181,10 @@ Gezeigt: {show}</translation>
         <translation>Keine</translation>
     </message>
     <message>
+        <source>Not allowed: enter a number from {least} to {largest}.</source>
+        <translation>Nicht zulässig: eine Zahl von {least} bis {largest} eingeben.</translation>
+    </message>
+    <message>
         <source>Not analysed: {reason}</source>
         <translation>Nicht analysiert: {reason}</translation>
     </message>
@@ -2809,6 +2821,10 @@ Gezeigt: {show}</translation>
         <translation>Das Urteil ist nicht sicher</translation>
     </message>
     <message>
+        <source>The {faces} faces of {label} share no edges, so that their outlines are no holes: sew them first, with Repair Seams for example, or select the edges of a hole.</source>
+        <translation>Die {faces} Flächen von {label} haben keine gemeinsamen Kanten, daher sind ihre Umrisse keine Löcher: zuerst vernähen, etwa mit „Nähte reparieren“, oder die Kanten eines Lochs auswählen.</translation>
+    </message>
+    <message>
         <source>There are no points: pick some, or select points or edges and press Use selection.</source>
         <translation>Es gibt keine Punkte: Setzen Sie welche, oder wählen Sie Punkte oder Kanten aus und drücken Sie Auswahl verwenden.</translation>
     </message>
@@ -3021,6 +3037,10 @@ Gezeigt: {show}</translation>
         <translation>ein Punkt</translation>
     </message>
     <message>
+        <source>a point is ({point}): coordinates must be finite and below {most:g} mm</source>
+        <translation>ein Punkt ist ({point}): Koordinaten müssen endlich und kleiner als {most:g} mm sein</translation>
+    </message>
+    <message>
         <source>a point is chosen: choose edges, wires or sketches</source>
         <translation>ein Punkt ist gewählt: Wählen Sie Kanten, Drähte oder Skizzen</translation>
     </message>
@@ -3099,6 +3119,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>at least {least:g}</source>
         <translation>mindestens {least:g}</translation>
+    </message>
+    <message>
+        <source>at most {most}</source>
+        <translation>höchstens {most}</translation>
     </message>
     <message>
         <source>auto</source>
@@ -3211,6 +3235,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>every seam is {order}</source>
         <translation>jede Naht ist {order}</translation>
+    </message>
+    <message>
+        <source>exactly, up to rounding</source>
+        <translation>exakt, bis auf Rundung</translation>
     </message>
     <message>
         <source>exchange of surfaces between CAD systems</source>
@@ -3797,6 +3825,10 @@ Gezeigt: {show}</translation>
         <translation>es gibt keine Punkte</translation>
     </message>
     <message>
+        <source>there are no sources: {advice}</source>
+        <translation>es gibt keine Quellen: {advice}</translation>
+    </message>
+    <message>
         <source>there are two points: a conic needs three or more</source>
         <translation>es gibt zwei Punkte: Ein Kegelschnitt braucht drei oder mehr</translation>
     </message>
@@ -3879,6 +3911,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{arcs} and {lines}{chains}, {length_mm} mm long, at most {distance_mm} mm from the input</source>
         <translation>{arcs} und {lines}{chains}, {length_mm} mm lang, höchstens {distance_mm} mm von der Eingabe</translation>
+    </message>
+    <message>
+        <source>{argument} = {value!r} is no number</source>
+        <translation>{argument} = {value!r} ist keine Zahl</translation>
     </message>
     <message>
         <source>{argument} has {numbers} coordinates: give three</source>

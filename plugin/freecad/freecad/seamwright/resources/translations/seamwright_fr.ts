@@ -980,7 +980,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> (proven); at least {least_arcs} are needed.</source>
+        <source> (proven).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (proven); no fewer than {least_arcs} will do.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -997,6 +1001,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source> If all points are vertices, the spline follows them; else the points are its own, and it follows no sources.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> There are {curves} separate curves: edges that do not touch are not joined; Bridge Curve does that.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2172,6 +2180,10 @@ Shown: {show}</source>
         <translation>Aucune</translation>
     </message>
     <message>
+        <source>Not allowed: enter a number from {least} to {largest}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not analysed: {reason}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2806,6 +2818,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The {faces} faces of {label} share no edges, so that their outlines are no holes: sew them first, with Repair Seams for example, or select the edges of a hole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There are no points: pick some, or select points or edges and press Use selection.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3018,6 +3034,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>a point is ({point}): coordinates must be finite and below {most:g} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a point is chosen: choose edges, wires or sketches</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3095,6 +3115,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>at least {least:g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most {most}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3207,6 +3231,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>every seam is {order}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exactly, up to rounding</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3794,6 +3822,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>there are no sources: {advice}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there are two points: a conic needs three or more</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3875,6 +3907,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{arcs} and {lines}{chains}, {length_mm} mm long, at most {distance_mm} mm from the input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{argument} = {value!r} is no number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

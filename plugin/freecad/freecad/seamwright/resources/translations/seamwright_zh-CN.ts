@@ -981,8 +981,12 @@ Shown: {show}</source>
 显示：{show}</translation>
     </message>
     <message>
-        <source> (proven); at least {least_arcs} are needed.</source>
-        <translation>(已证明)；至少需要 {least_arcs}。</translation>
+        <source> (proven).</source>
+        <translation>（已证明）。</translation>
+    </message>
+    <message>
+        <source> (proven); no fewer than {least_arcs} will do.</source>
+        <translation>（已证明）；不能少于 {least_arcs}。</translation>
     </message>
     <message>
         <source> ({share} % less)</source>
@@ -999,6 +1003,10 @@ Shown: {show}</source>
     <message>
         <source> If all points are vertices, the spline follows them; else the points are its own, and it follows no sources.</source>
         <translation>如果所有点都是顶点，样条跟随它们；否则这些点属于样条自身，它不跟随任何来源。</translation>
+    </message>
+    <message>
+        <source> There are {curves} separate curves: edges that do not touch are not joined; Bridge Curve does that.</source>
+        <translation> 共有 {curves} 条分开的曲线：不相接的边不会连接；请用“桥接曲线”。</translation>
     </message>
     <message>
         <source> and </source>
@@ -2173,6 +2181,10 @@ Shown: {show}</source>
         <translation>无</translation>
     </message>
     <message>
+        <source>Not allowed: enter a number from {least} to {largest}.</source>
+        <translation>不允许：请输入 {least} 到 {largest} 之间的数。</translation>
+    </message>
+    <message>
         <source>Not analysed: {reason}</source>
         <translation>未分析：{reason}</translation>
     </message>
@@ -2809,6 +2821,10 @@ Shown: {show}</source>
         <translation>判定不确定</translation>
     </message>
     <message>
+        <source>The {faces} faces of {label} share no edges, so that their outlines are no holes: sew them first, with Repair Seams for example, or select the edges of a hole.</source>
+        <translation>{label} 的 {faces} 个面没有公共边，因此它们的轮廓不是孔：请先缝合（例如用“修复接缝”），或选择某个孔的边。</translation>
+    </message>
+    <message>
         <source>There are no points: pick some, or select points or edges and press Use selection.</source>
         <translation>没有点：请拾取一些点，或选择点或边并按“使用所选”。</translation>
     </message>
@@ -3021,6 +3037,10 @@ Shown: {show}</source>
         <translation>一个点</translation>
     </message>
     <message>
+        <source>a point is ({point}): coordinates must be finite and below {most:g} mm</source>
+        <translation>有一个点是 ({point})：坐标必须有限且小于 {most:g} mm</translation>
+    </message>
+    <message>
         <source>a point is chosen: choose edges, wires or sketches</source>
         <translation>选择了一个点：请选择边、线或草图</translation>
     </message>
@@ -3099,6 +3119,10 @@ Shown: {show}</source>
     <message>
         <source>at least {least:g}</source>
         <translation>至少 {least:g}</translation>
+    </message>
+    <message>
+        <source>at most {most}</source>
+        <translation>最多 {most}</translation>
     </message>
     <message>
         <source>auto</source>
@@ -3211,6 +3235,10 @@ Shown: {show}</source>
     <message>
         <source>every seam is {order}</source>
         <translation>每条接缝均为 {order}</translation>
+    </message>
+    <message>
+        <source>exactly, up to rounding</source>
+        <translation>精确，仅有舍入误差</translation>
     </message>
     <message>
         <source>exchange of surfaces between CAD systems</source>
@@ -3797,6 +3825,10 @@ Shown: {show}</source>
         <translation>没有点</translation>
     </message>
     <message>
+        <source>there are no sources: {advice}</source>
+        <translation>没有来源：{advice}</translation>
+    </message>
+    <message>
         <source>there are two points: a conic needs three or more</source>
         <translation>有两个点：圆锥曲线需要三个或更多</translation>
     </message>
@@ -3879,6 +3911,10 @@ Shown: {show}</source>
     <message>
         <source>{arcs} and {lines}{chains}, {length_mm} mm long, at most {distance_mm} mm from the input</source>
         <translation>{arcs}和{lines}{chains}，长 {length_mm} mm，与输入相距最多 {distance_mm} mm</translation>
+    </message>
+    <message>
+        <source>{argument} = {value!r} is no number</source>
+        <translation>{argument} = {value!r} 不是数</translation>
     </message>
     <message>
         <source>{argument} has {numbers} coordinates: give three</source>
