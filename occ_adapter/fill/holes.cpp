@@ -52,6 +52,28 @@ struct Corner {
   double reach_mm;
 };
 
+std::string freeEdgesText(std::vector<int> edges) {
+  // A choice: a message of one or two lines.
+  constexpr std::size_t most = 10;
+  std::ranges::sort(edges);
+  std::string text = edges.size() == 1 ? "edge" : std::to_string(edges.size()) + " edges:";
+  for (std::size_t k = 0; k < std::min(edges.size(), most); ++k)
+    text += (k == 0 ? " " : ", ") + std::to_string(edges[k]);
+  if (edges.size() > most) text += " ...";
+  return text + (edges.size() == 1 ? " is" : " are") + " part of no closed loop";
+}
+
+/// Whether no edge of the loop is part of the outer boundary of its face.
+bool isInsideFaces(const Hole& hole, const TopTools_IndexedMapOfShape& faces) {
+  for (const HoleSide& side : hole.sides)
+    for (const HoleEdge& edge : side.edges) {
+      const TopoDS_Wire outer = BRepTools::OuterWire(TopoDS::Face(faces(edge.use.face)));
+      for (TopExp_Explorer it(outer, TopAbs_EDGE); it.More(); it.Next())
+        if (it.Current().IsSame(edge.use.edge)) return false;
+    }
+  return true;
+}
+
 class Loops {
  public:
   Loops(const TopoDS_Shape& shape, const HoleOptions& options) : options_(options) {
@@ -169,17 +191,6 @@ class Loops {
     if (!free_edges.empty()) result_.notes.push_back(freeEdgesText(free_edges));
   }
 
-  static std::string freeEdgesText(std::vector<int> edges) {
-    // A choice: a message of one or two lines.
-    constexpr std::size_t most = 10;
-    std::ranges::sort(edges);
-    std::string text = edges.size() == 1 ? "edge" : std::to_string(edges.size()) + " edges:";
-    for (std::size_t k = 0; k < std::min(edges.size(), most); ++k)
-      text += (k == 0 ? " " : ", ") + std::to_string(edges[k]);
-    if (edges.size() > most) text += " ...";
-    return text + (edges.size() == 1 ? " is" : " are") + " part of no closed loop";
-  }
-
   /// A link that begins at the node; otherwise one that ends there, reversed.
   std::optional<Link> nextLink(int node, const std::map<int, std::vector<std::size_t>>& at_node,
                                std::vector<bool>& used) const {
@@ -237,19 +248,8 @@ class Loops {
       std::ranges::sort(holes, std::greater{}, &Hole::length_mm);
       const bool is_longest =
           holes.size() == 1 || holes[0]->length_mm - holes[1]->length_mm > options_.gap_mm;
-      holes.front()->longest = is_longest && !isInsideFaces(*holes.front());
+      holes.front()->longest = is_longest && !isInsideFaces(*holes.front(), faces_);
     }
-  }
-
-  /// Whether no edge of the loop is part of the outer boundary of its face.
-  bool isInsideFaces(const Hole& hole) const {
-    for (const HoleSide& side : hole.sides)
-      for (const HoleEdge& edge : side.edges) {
-        const TopoDS_Wire outer = BRepTools::OuterWire(TopoDS::Face(faces_(edge.use.face)));
-        for (TopExp_Explorer it(outer, TopAbs_EDGE); it.More(); it.Next())
-          if (it.Current().IsSame(edge.use.edge)) return false;
-      }
-    return true;
   }
 
   const HoleOptions& options_;

@@ -61,8 +61,8 @@ py::object fitArcsOf(const py::object& curve, const py::object& tolerance_mm,
   const BezierSpline spline = bezierSplineOf("curve", curve);
   const ArcFitOptions options{.tolerance_mm = parameter("tolerance_mm", tolerance_mm),
                               .corner_rad = parameter("corner_rad", corner_rad)};
-  const ArcFit fit = longCall(
-      progress, [&](const Progress& share) { return fitArcs(spline, options, share); });
+  const ArcFit fit =
+      longCall(progress, [&](const Progress& share) { return fitArcs(spline, options, share); });
   const ArcChain chain(fit.arcs, fit.closed, fit.corners);
   py::dict dict;
   dict["chain"] = chain;

@@ -327,7 +327,7 @@ class Stopping(DocumentCase):
             curves.make("Arcs", "abc")
         far = Part.makeLine(App.Vector(), App.Vector(1e99, 0, 0))
         for kind in ("Arcs", "Clothoid", "Spline"):
-            with self.assertRaisesRegex(ValueError, "must be finite and below 1e.15 mm|infinite|far"):
+            with self.assertRaisesRegex(ValueError, "must be finite and below 1e.15 mm|infinite"):
                 curves.make(kind, far)
         with self.assertRaisesRegex(ValueError, "must be finite and below"):
             curves.make("Spline", [], points_mm=[(1e300, 0, 0), (-1e300, 0, 0), (0, 0, 0)])

@@ -2,7 +2,7 @@
 """The first panel of a session, as users get it; run by run_freecad.py --window.
 
 The other window tests import the addon's widgets before the first command does. PySide then treats
-the items of layouts otherwise, so this module imports nothing of the addon and has a run of its own.
+the items of layouts otherwise, so this module imports nothing of the addon and has its own run.
 """
 
 import time

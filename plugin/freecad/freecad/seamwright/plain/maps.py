@@ -107,7 +107,8 @@ def area_above(points, triangles, values, limit):
     with numpy.errstate(divide="ignore", invalid="ignore"):
         below = (limit - low) ** 2 / ((middle - low) * (high - low))
         above = (high - limit) ** 2 / ((high - low) * (high - middle))
-    shares = numpy.select([limit <= low, limit > high, limit <= middle], [1.0, 0.0, 1 - below], above)
+    cases = [limit <= low, limit > high, limit <= middle]
+    shares = numpy.select(cases, [1.0, 0.0, 1 - below], above)
     return float(areas @ shares), float(areas.sum())
 
 

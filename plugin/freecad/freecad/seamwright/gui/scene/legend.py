@@ -73,7 +73,7 @@ class Legend:
         )
 
     def put(self, top):
-        """Draw the legend this many pixels of the screen lower; return where the next one begins."""
+        """Draw the legend that many pixels of the screen lower; return where the next begins."""
         if self._place != top:
             self._place = top
             set_image(self._image, _lowered(self._picture, top))
