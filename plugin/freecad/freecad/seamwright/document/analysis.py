@@ -260,6 +260,8 @@ def create(sources=None, doc=None, **tolerances):
     kernel.KernelUnavailable when the compiled part is missing. When nothing can be analysed,
     ``error_text`` says why.
     """
+    if sources is not None and not isinstance(sources, (list, tuple)):
+        sources = [sources]
     doc = doc or (sources[0].Document if sources else App.ActiveDocument)
     if doc is None:
         raise ValueError("There is no document to put the analysis into.")

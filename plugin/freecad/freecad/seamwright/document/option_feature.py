@@ -10,12 +10,15 @@ import Part
 
 from freecad.seamwright.document import feature, properties, sources
 from freecad.seamwright.plain import curve_text, kernel_words, options
-from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain.language import mark, tr
 
 LINKED = (
     "Linked", "App::PropertyStringList", "The sources as they were chosen: property, object, name"
 )  # fmt: skip
 SUMMARY = ("Summary", "App::PropertyString", "The result in one line, or why there is none")
+
+#: What the summary says of a shape that OpenCASCADE refuses.
+INVALID = mark(" The shape is not valid: it may cross itself; try smaller numbers.")
 
 
 class OptionFeature(feature.Feature):
@@ -95,7 +98,8 @@ class OptionFeature(feature.Feature):
         for name, _, _, key in cls.RESULTS:
             setattr(obj, name, report[key])
         feature.put_shape(obj, shape)
-        obj.Summary = cls.text(report)
+        text = cls.text(report)
+        obj.Summary = text if shape.isNull() or shape.isValid() else text + tr(INVALID)
 
     @classmethod
     def store_failure(cls, obj, reason):
@@ -222,7 +226,12 @@ def links(chosen):
     """Return [(object, "Edge3" or ""), ...] of objects, (object, name) or (object, names)."""
     found = []
     for each in chosen if isinstance(chosen, (list, tuple)) else [chosen]:
-        obj, names = each if isinstance(each, (list, tuple)) else (each, "")
+        obj, names = each if isinstance(each, (list, tuple)) and len(each) == 2 else (each, "")
+        if not hasattr(obj, "Document"):
+            raise TypeError(
+                "sources has %r: an object, (object, \"Edge1\") or (object, [\"Edge1\", ...]) is "
+                "needed" % (obj,)
+            )
         names = [names] if isinstance(names, str) else list(names)
         found += [(obj, name) for name in names or [""]]
     return found

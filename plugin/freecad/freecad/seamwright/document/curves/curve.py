@@ -79,7 +79,10 @@ def prepare(kind, chosen, **given):
     kernel.load(Part.OCC_VERSION)
     values = options.checked(kind.OPTIONS, given)
     found = links(chosen) if kind.PICKS else _some(kind, chosen)
-    obj = feature.add(found[0][0].Document if found else App.ActiveDocument, kind, kind.LABEL)
+    document = found[0][0].Document if found else App.ActiveDocument
+    if document is None:
+        raise ValueError(tr("no document is open: make or open one first"))
+    obj = feature.add(document, kind, kind.LABEL)
     obj.Sources = found
     set_values(obj, values)
     hooks.attach_view(obj)

@@ -134,18 +134,23 @@ def _combs(shapes, values, progress):
     jobs = []
     for shape in shapes:
         if shape.Faces and values["lines"] != EDGES:
-            jobs += [(face, direction) for face in shape.Faces for direction in (0, 1)
-                     if values["lines"] in (BOTH, (U_LINES, V_LINES)[direction])]  # fmt: skip
+            jobs += [
+                (face, direction, (line + 1) / (values["count"] + 1))
+                for face in shape.Faces
+                for direction in (0, 1)
+                if values["lines"] in (BOTH, (U_LINES, V_LINES)[direction])
+                for line in range(values["count"])
+            ]
         else:
-            jobs += [(edge, None) for edge in shape.Edges if not edge.Degenerated]
+            jobs += [(edge, None, 0.0) for edge in shape.Edges if not edge.Degenerated]
     found = []
-    for index, (part, direction) in enumerate(jobs):
+    for index, (part, direction, share) in enumerate(jobs):
         if progress is not None and not progress(index / len(jobs)):
             return None
         if direction is None:
             found.append(_of_edge(part, values["density"]))
         else:
-            found += _of_face(part, direction, values["count"], values["density"])
+            found += _of_face(part, direction, share, values["density"])
     return found
 
 
@@ -159,16 +164,18 @@ def _of_edge(edge, density):
     )
 
 
-def _of_face(face, direction, count, density):
-    """Return the Combs of the lines along u (0) or v (1) in the inside of a face."""
+def _of_face(face, direction, share, density):
+    """Return the Combs of a line along u (0) or v (1) in the inside of a face.
+
+    ``share``: where it lies between the ends of the face in the other direction.
+    """
     ranges = face.ParameterRange[:2], face.ParameterRange[2:]
     across = ranges[1 - direction]
-    found = []
-    for k in range(count):
-        at = across[0] + (across[1] - across[0]) * (k + 1) / (count + 1)
-        for first, last in _inside(face, direction, at, ranges[direction], density):
-            found.append(_iso(face.Surface, direction, at, numpy.linspace(first, last, density)))
-    return found
+    at = across[0] + (across[1] - across[0]) * share
+    return [
+        _iso(face.Surface, direction, at, numpy.linspace(first, last, density))
+        for first, last in _inside(face, direction, at, ranges[direction], density)
+    ]
 
 
 def _pair(direction, along, at):

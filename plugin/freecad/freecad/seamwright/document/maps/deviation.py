@@ -14,6 +14,7 @@ from freecad.seamwright.document.maps.distance import distances
 from freecad.seamwright.document.maps.surface_map import (
     SurfaceMap,
     Values,
+    check_elements,
     check_faces,
     joined,
     mesh_works,
@@ -58,6 +59,7 @@ class Deviation(SurfaceMap):
     @classmethod
     def arranged(cls, chosen):
         """Return the first object of a selection as Sources, the others as Reference."""
+        check_elements(chosen)
         whole = list(dict.fromkeys(obj for obj, _ in chosen))
         if len(whole) != 2:
             raise ValueError(

@@ -4,6 +4,7 @@
 from typing import Any, NamedTuple
 
 import numpy
+import Part
 
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.maps import meshes
@@ -57,6 +58,7 @@ class SurfaceMap(Tool):
     @classmethod
     def arranged(cls, chosen):
         """Return the objects of a selection, as a whole and without repeats."""
+        check_elements(chosen)
         whole = [(obj, "") for obj in dict.fromkeys(obj for obj, _ in chosen)]
         cls.check("Sources", whole)
         return {"Sources": whole}
@@ -93,6 +95,18 @@ class SurfaceMap(Tool):
                 {"object": each.name, **fault} for each in found for fault in each.mesh.faults
             ],
         }
+
+
+def check_elements(chosen):
+    """Raise SourceError for a link to an element that its object does not have."""
+    for obj, name in chosen:
+        if name and "." not in name and sources.has_shape(obj):  # a link has names with dots
+            try:
+                sources.placed_shape(obj).getElement(name)
+            except (Part.OCCError, ValueError):
+                raise sources.SourceError(tr("{label} has no {name}: choose another one.").format(
+                    label=obj.Label, name=name
+                )) from None
 
 
 def check_faces(chosen, needs):

@@ -168,6 +168,12 @@ class Umbrella(FreeSurface):
                         "of the other sectors"
                     )
                 )
+        if values["flat_deg"] > 90:
+            raise ValueError(
+                tr("\u201c{label}\u201d is {angle:g}\u00b0: at most 90\u00b0 is needed").format(
+                    label=tr("Tangents in one plane within"), angle=values["flat_deg"]
+                )
+            )
         given = {
             "closed": not values["open"],
             "degree": values["degree"] or None,
