@@ -104,7 +104,7 @@ std::vector<bool> coupledPoints(const BlockPattern& pattern, const std::vector<b
 }
 
 std::vector<int> withCoupledLast(std::vector<int> order, const std::vector<bool>& is_coupled) {
-  std::ranges::stable_partition(order, [&](int point) { return !is_coupled[point]; });
+  std::stable_partition(order.begin(), order.end(), [&](int point) { return !is_coupled[point]; });
   return order;
 }
 

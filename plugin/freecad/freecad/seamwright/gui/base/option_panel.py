@@ -6,6 +6,7 @@ The document follows the fields: each change is computed at once.
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 
 from freecad.seamwright.document import option_feature, sources
 from freecad.seamwright.document.feature import report_of
@@ -205,7 +206,7 @@ class OptionPanel(ResultPanel):
         """Return the size for handles: that of the result, or of its sources where it is larger."""
         box = App.BoundBox()
         for each in self.sources():
-            box.add(sources.world_shape(each).BoundBox)
+            box.add(Part.getShape(each).BoundBox)
         own = self.obj.Shape.BoundBox.DiagonalLength
         return min(own, box.DiagonalLength) if box.isValid() else own
 

@@ -9,8 +9,9 @@ from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
 
 
 def pixel_ratio():
-    """Return how many pixels of the screen are one of the window."""
-    return QtGui.QGuiApplication.instance().devicePixelRatio()
+    """Return how many pixels of the screen are one of the window, in quarters."""
+    ratio = QtGui.QGuiApplication.instance().devicePixelRatio()
+    return max(round(4 * ratio) / 4, 1.0)
 
 
 def painted(width, height, paint):

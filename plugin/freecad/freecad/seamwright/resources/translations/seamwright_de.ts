@@ -1005,6 +1005,10 @@ Gezeigt: {show}</translation>
         <translation> Sind alle Punkte Ecken, folgt der Spline diesen; sonst gehören die Punkte ihm selbst, und er folgt keinen Quellen.</translation>
     </message>
     <message>
+        <source> The shape is not valid: it may cross itself; try smaller numbers.</source>
+        <translation> Die Form ist nicht gültig: sie schneidet sich vielleicht selbst; kleinere Zahlen versuchen.</translation>
+    </message>
+    <message>
         <source> There are {curves} separate curves: edges that do not touch are not joined; Bridge Curve does that.</source>
         <translation> Es sind {curves} getrennte Kurven: Kanten, die sich nicht berühren, werden nicht verbunden; das macht „Brückenkurve“.</translation>
     </message>
@@ -3397,6 +3401,10 @@ Gezeigt: {show}</translation>
         <translation>keine Fehler</translation>
     </message>
     <message>
+        <source>no document is open: make or open one first</source>
+        <translation>kein Dokument ist offen: zuerst eines anlegen oder öffnen</translation>
+    </message>
+    <message>
         <source>no edge is a polynomial spline of degree 2 or more: lines, arcs and rational splines stay as they are</source>
         <translation>keine Kante ist ein polynomialer Spline vom Grad 2 oder mehr: Strecken, Bögen und rationale Splines bleiben, wie sie sind</translation>
     </message>
@@ -4593,6 +4601,10 @@ Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
     <message>
         <source>{why}; press Preview to analyse and repair the seams.</source>
         <translation>{why}; drücken Sie Vorschau, um die Nähte zu analysieren und zu reparieren.</translation>
+    </message>
+    <message>
+        <source>“{label}” is {angle:g}°: at most 90° is needed</source>
+        <translation>„{label}“ ist {angle:g}°: höchstens 90° ist nötig</translation>
     </message>
     <message>
         <source>“{text}” is not a list of numbers: write them with blanks or semicolons, such as 0; 0; 50.</source>

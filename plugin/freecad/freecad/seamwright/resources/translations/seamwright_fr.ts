@@ -1004,6 +1004,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source> The shape is not valid: it may cross itself; try smaller numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source> There are {curves} separate curves: edges that do not touch are not joined; Bridge Curve does that.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3394,6 +3398,10 @@ Shown: {show}</source>
         <translation>aucun défaut</translation>
     </message>
     <message>
+        <source>no document is open: make or open one first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no edge is a polynomial spline of degree 2 or more: lines, arcs and rational splines stay as they are</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4588,6 +4596,10 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>{why}; press Preview to analyse and repair the seams.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{label}” is {angle:g}°: at most 90° is needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1005,6 +1005,10 @@ Shown: {show}</source>
         <translation>如果所有点都是顶点，样条跟随它们；否则这些点属于样条自身，它不跟随任何来源。</translation>
     </message>
     <message>
+        <source> The shape is not valid: it may cross itself; try smaller numbers.</source>
+        <translation> 形状无效：可能自相交；请试用较小的数值。</translation>
+    </message>
+    <message>
         <source> There are {curves} separate curves: edges that do not touch are not joined; Bridge Curve does that.</source>
         <translation> 共有 {curves} 条分开的曲线：不相接的边不会连接；请用“桥接曲线”。</translation>
     </message>
@@ -3397,6 +3401,10 @@ Shown: {show}</source>
         <translation>无缺陷</translation>
     </message>
     <message>
+        <source>no document is open: make or open one first</source>
+        <translation>没有打开的文档：请先新建或打开一个</translation>
+    </message>
+    <message>
         <source>no edge is a polynomial spline of degree 2 or more: lines, arcs and rational splines stay as they are</source>
         <translation>没有边是 2 次或更高次的多项式样条：直线、圆弧和有理样条保持不变</translation>
     </message>
@@ -4593,6 +4601,10 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <message>
         <source>{why}; press Preview to analyse and repair the seams.</source>
         <translation>{why}；按“预览”以分析并修复接缝。</translation>
+    </message>
+    <message>
+        <source>“{label}” is {angle:g}°: at most 90° is needed</source>
+        <translation>“{label}”为 {angle:g}°：最多 90°</translation>
     </message>
     <message>
         <source>“{text}” is not a list of numbers: write them with blanks or semicolons, such as 0; 0; 50.</source>
