@@ -10,7 +10,7 @@ numbers of edges are those of the source.
 
 import math
 
-from freecad.seamwright.plain import enclosure, new_seams, repair_text, summary
+from freecad.seamwright.plain import new_seams, repair_text, summary
 from freecad.seamwright.plain.language import mark, tr
 
 TARGET = "G1"
@@ -63,7 +63,7 @@ def summary_text(report):
     """Return one line: the radii and the new seams, or the reason why nothing was rounded."""
     if not report["met"]:
         return tr("Not rounded: {reason}.").format(reason=report["reason"].rstrip("."))
-    radii = ", ".join(enclosure.number(edge["radius_mm"]) for edge in report["edges"])
+    radii = ", ".join("%g" % edge["radius_mm"] for edge in report["edges"])
     seams = new_seams.largest_text(report["seams"], report["tolerance"])
     rounded = summary.counted(len(report["edges"]), "edge")
     made = tr(

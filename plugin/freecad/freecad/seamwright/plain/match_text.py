@@ -118,7 +118,8 @@ def advised(reason, code):
 def chain_reason(faces, depth_mm):
     """Return how a face was matched to several; ``faces``: the names, first that of the moved."""
     return tr(
-        "{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges"
+        "{face} joins {others} to the tolerance; the shape changes up to {depth_mm} mm away from "
+        "the seam"
     ).format(
         face=faces[0], others=", ".join(faces[1:]), depth_mm=enclosure.number(depth_mm)
     )

@@ -4205,8 +4205,8 @@ Gezeigt: {show}</translation>
         <translation>{face} hat {along} x {across} Kontrollpunkte</translation>
     </message>
     <message>
-        <source>{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges</source>
-        <translation>{face} schließt innerhalb der Toleranz an {others} an; geändert bis {depth_mm} mm von ihren Kanten</translation>
+        <source>{face} joins {others} to the tolerance; the shape changes up to {depth_mm} mm away from the seam</source>
+        <translation>{face} schließt innerhalb der Toleranz an {others} an; die Form ändert sich bis {depth_mm} mm von der Naht entfernt</translation>
     </message>
     <message>
         <source>{face} will be replaced</source>

@@ -4202,7 +4202,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges</source>
+        <source>{face} joins {others} to the tolerance; the shape changes up to {depth_mm} mm away from the seam</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4205,8 +4205,8 @@ Shown: {show}</source>
         <translation>{face} 有 {along} x {across} 个控制点</translation>
     </message>
     <message>
-        <source>{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges</source>
-        <translation>{face} 在公差内与 {others} 相接；改动范围距其边最远 {depth_mm} mm</translation>
+        <source>{face} joins {others} to the tolerance; the shape changes up to {depth_mm} mm away from the seam</source>
+        <translation>{face} 在公差内与 {others} 相接；形状变化到离接缝 {depth_mm} mm 处为止</translation>
     </message>
     <message>
         <source>{face} will be replaced</source>
