@@ -335,6 +335,17 @@ class Stopping(DocumentCase):
             curves.make("Spline", slot(), samples=100000)
         with self.assertRaisesRegex(ValueError, "tolerance_mm = None is no number"):
             curves.make("Arcs", slot(), tolerance_mm=None)
+        with self.assertRaisesRegex(TypeError, "sources has None: an object"):
+            curves.create("Arcs", None)
+
+    def test_a_curve_that_is_not_valid_is_told(self):
+        lines = [
+            models.add(self.doc, Part.makeLine(App.Vector(x, y, 0), App.Vector(x + 1, y, 0)), "L")
+            for x, y in ((0, 0), (2, 1))
+        ]
+        for tension, valid in ((1.0, True), (1e12, False)):
+            obj = curves.create("BridgeCurve", lines, first_tension=tension)
+            self.assertEqual((obj.Shape.isValid(), "not valid" in obj.Summary), (valid, not valid))
 
     def test_a_line_needs_no_arc(self):
         text = curves.make("Arcs", Part.makeLine(App.Vector(), App.Vector(9, 1, 0))).summary

@@ -500,6 +500,15 @@ class Objects(DocumentCase):
         self.assertIn("three numbers are needed", kinds.error_text(obj))
         self.assertEqual(obj.Outcome, "without result")
 
+    def test_elements_that_do_not_exist_or_are_no_edges_are_refused(self):
+        box = models.add(self.doc, Part.makeBox(1, 2, 3), "Crate")
+        for kind, name, text in (
+            ("CurvatureMap", "Face99", "Crate has no Face99"),
+            ("SeamPlot", "Face1", "Crate.Face1 is no edge"),
+        ):
+            with self.assertRaisesRegex(Exception, text):
+                kinds.create(kind, [(box, name)])
+
     def test_sources_that_do_not_fit_are_refused(self):
         line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(1, 0, 0)), "Line")
         box = self.doc.addObject("Part::Box", "Box")

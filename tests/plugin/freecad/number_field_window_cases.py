@@ -64,6 +64,13 @@ class Fields(PanelWindow):
                 self.assertEqual(state, QtGui.QValidator.Intermediate, (kind, text))
                 self.assertEqual(self.enter(field, text), 7.0, (kind, text))
 
+    def test_a_number_out_of_range_is_kept_until_it_is_changed(self):
+        field = NumberField(PERCENT, 1.0)
+        field.show_number(3.0)
+        self.assertEqual((field.value(), field.number()), (1.0, 3.0))
+        self.assertEqual(self.enter(field, "50 %"), 0.5)
+        self.assertEqual(field.number(), 0.5)
+
     def test_units_follow_freecad(self):
         field = NumberField(LENGTH, 1e6)
         self.addCleanup(App.Units.setSchema, INTERNAL)
