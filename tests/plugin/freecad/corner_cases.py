@@ -215,6 +215,8 @@ class Errors(CornerCase):
         cube = self.cube()
         for wrong, text in (
             ({"radii_mm": -1.0}, r"radii_mm\[0\] = -1.0"),
+            ({"radii_mm": "x"}, r"radii_mm\[0\] = 'x' is no number"),
+            ({"gap_mm": None}, "gap_mm = None is no number"),
             ({"radii_mm": [1.0, math.nan]}, r"radii_mm\[1\] = nan"),
             ({"setbacks_mm": [1.0, 1.0, math.inf]}, r"setbacks_mm\[2\] = inf"),
             ({"section_mm": -1.0}, "section_mm = -1.0"),
@@ -229,6 +231,9 @@ class Errors(CornerCase):
                 TypeError, r"vertex = .*: a name is needed, \"Vertex1\", or a number from 1"
             ):
                 corner.create(cube, wrong, 1.0)
+        for wrong in (None, "Cube"):
+            with self.assertRaisesRegex(TypeError, "source = .*: an object of a document"):
+                corner.create(wrong, "Vertex1", 1.0)
         self.assertEqual(self.doc.Objects, [cube])
 
 

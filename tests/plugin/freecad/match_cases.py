@@ -366,12 +366,21 @@ class Errors(MatchCase):
             ({"max_move_mm": -1.0}, "max_move_mm"),
             ({"depth_mm": -1.0}, "depth_mm"),
             ({"gap_mm": math.nan}, "gap_mm"),
+            ({"gap_mm": "x"}, "gap_mm = 'x' is no number"),
             ({"profile": "class-b"}, "profile 'class-b'"),
         ):
             with self.assertRaisesRegex(ValueError, text):
                 self.match(**wrong)
         with self.assertRaisesRegex(TypeError, "'gap'"):
             self.match(gap=0.1)
+        for edge in ("Edge1", (self.left,), (None, "Edge1"), (self.left, None)):
+            with self.assertRaisesRegex(TypeError, "edge = "):
+                self.match(edge=edge)
+        right = (self.right, "Face1")
+        with self.assertRaisesRegex(TypeError, "first = None: .* is needed"):
+            match.create(None, right)
+        with self.assertRaisesRegex(TypeError, "second = 'x': an object of a document is needed"):
+            match.create(right, ("x", "Face1"))
         self.assertEqual(self.doc.Objects, [self.left, self.right])
 
     def test_a_bad_property_is_an_error_of_the_object(self):

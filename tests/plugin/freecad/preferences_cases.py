@@ -64,11 +64,21 @@ class Stored(PreferenceCase):
             ("GapTolerance", 0.0), ("GapTolerance", math.nan), ("GapTolerance", -1.0),
             ("AngleTolerance", 91.0), ("CurvatureTolerance", math.inf), ("Threads", -1),
             ("Threads", 1.5), ("CombLines", 1), ("CreaseAngle", 0.1), ("AngleTolerance", 5.0),
+            ("Threads", math.inf), ("Threads", "x"), ("GapTolerance", None), ("LivePreview", 2.0),
         ):  # fmt: skip
             with self.subTest(name=name, value=value), self.assertRaises(ValueError) as raised:
                 self.store(**{name: value})
             self.assertTrue(str(raised.exception))
             self.assertEqual(preferences.values()["GapTolerance"], 0.5)
+
+    def test_all_preferences_are_given_and_no_others(self):
+        with self.assertRaisesRegex(TypeError, "unknown preference 'Gap': give GapTolerance"):
+            self.store(Gap=0.5)
+        with self.assertRaisesRegex(TypeError, "missing preference 'CombLines'"):
+            preferences.store({
+                name: value for name, value in table.defaults().items() if name != "CombLines"
+            })
+        self.assertFalse(group().GetContents())
 
     def test_bad_values_of_the_file_are_ignored(self):
         group().SetFloat("GapTolerance", -3.0)

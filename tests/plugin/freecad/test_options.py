@@ -114,3 +114,22 @@ def test_sentences():
         "the points are samples of these."
     )
     assert curve_text.failure_text("there are no points.") == "Not made: there are no points."
+
+
+@pytest.mark.parametrize(
+    "given, text",
+    [
+        ({"tolerance_mm": "x"}, "tolerance_mm = 'x' is no number"),
+        ({"tolerance_mm": 10**400}, "is no number"),
+        ({"tension": "x"}, "tension = 'x' is no number"),
+        ({"tension": [1, None]}, "tension = None is no number"),
+        ({"points_mm": None}, "points_mm = None is no list"),
+        ({"points_mm": [1, 2]}, "points_mm = 1 is no list"),
+        ({"points_mm": "123"}, "points_mm = '123' is no list"),
+        ({"points_mm": [("a", 0, 0)]}, "points_mm = 'a' is no number"),
+    ],
+)
+def test_values_that_are_no_numbers_are_named(given, text):
+    table = (*TABLE, Option("Points", "points_mm", options.VECTORS, [], "Points", ""))
+    with pytest.raises(ValueError, match=text):
+        options.checked(table, given)

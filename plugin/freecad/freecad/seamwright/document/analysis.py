@@ -11,7 +11,7 @@ import FreeCAD as App
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import feature, preferences, properties, sources
+from freecad.seamwright.document import elements, feature, preferences, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.document.seam_results import SeamResults
@@ -262,6 +262,8 @@ def create(sources=None, doc=None, **tolerances):
     """
     if sources is not None and not isinstance(sources, (list, tuple)):
         sources = [sources]
+    for at, source in enumerate(sources or []):
+        elements.checked_object("sources[%d]" % at, source)
     doc = doc or (sources[0].Document if sources else App.ActiveDocument)
     if doc is None:
         raise ValueError("There is no document to put the analysis into.")

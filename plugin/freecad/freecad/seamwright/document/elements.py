@@ -3,6 +3,8 @@
 
 import operator
 
+import FreeCAD as App
+
 from freecad.seamwright.document import sources
 from freecad.seamwright.plain.language import mark, tr
 
@@ -57,6 +59,24 @@ def checked_names(argument, given, kind):
     return [
         checked_name("%s[%d]" % (argument, index), each, kind) for index, each in enumerate(given)
     ]
+
+
+def checked_object(argument, given):
+    """Return a document object that is given. Raises TypeError for anything else."""
+    if not isinstance(given, App.DocumentObject):
+        raise TypeError("%s = %r: an object of a document is needed" % (argument, given))
+    return given
+
+
+def checked_link(argument, given, kind):
+    """Return (object, "Face3") for (object, "Face3") or (object, 3).
+
+    Raises TypeError for anything else.
+    """
+    if not isinstance(given, (list, tuple)) or len(given) != 2:
+        raise TypeError('%s = %r: (object, "%s1") is needed' % (argument, given, kind))
+    obj, name = given
+    return checked_object(argument, obj), checked_name(argument, name, kind)
 
 
 def checked_name(argument, given, kind):

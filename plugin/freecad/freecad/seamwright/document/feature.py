@@ -41,14 +41,21 @@ class Job(NamedTuple):
     finish: Callable[[Any], tuple]
 
 
-class Unusable(RuntimeError):
+class _Title(type):
+    """The report view shows the text of an exception's class before its message."""
+
+    def __str__(cls):
+        return cls.__module__
+
+
+class Unusable(RuntimeError, metaclass=_Title):
     """Tells FreeCAD that an object is in error; the report view shows the text alone.
 
     FreeCAD writes the text and then a traceback, which says nothing to the user: it is cut off from
     the moment when the text is asked for until FreeCAD forgets the error.
     """
 
-    __module__ = "Seamwright"  # the report view names the class
+    __module__ = "Seamwright"
 
     def __str__(self):
         sys.tracebacklimit = 0

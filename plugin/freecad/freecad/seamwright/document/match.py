@@ -7,7 +7,7 @@ only read. The class path is written into documents: neither rename nor move it.
 
 import Part
 
-from freecad.seamwright.document import feature, match_chain, properties, sources
+from freecad.seamwright.document import elements, feature, match_chain, properties, sources
 from freecad.seamwright.document.feature import report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.match_chain import MORE
@@ -423,13 +423,16 @@ def prepare(
         choices,
     )
     values["Moves"] = values["Moves"].capitalize()
-    doc = first[0].Document
-    obj = feature.add(doc, MatchSurfaces, MatchSurfaces.LABEL)
-    for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
-        if target_link is not None:
-            setattr(obj, name, (target_link[0], [target_link[1]]))
-    if more:
-        setattr(obj, MORE, links(more))
+    chosen = {
+        "FirstFace": elements.checked_link("first", first, "Face"),
+        "SecondFace": elements.checked_link("second", second, "Face"),
+    }
+    if edge is not None:
+        chosen[EDGE] = elements.checked_link("edge", edge, "Edge")
+    chosen[MORE] = links(more)
+    obj = feature.add(chosen["FirstFace"][0].Document, MatchSurfaces, MatchSurfaces.LABEL)
+    for name, each in chosen.items():
+        setattr(obj, name, each)
     obj.HoldSides = bool(hold_sides)
     for name, value in values.items():
         setattr(obj, name, value)

@@ -34,7 +34,7 @@ def values():
 def store(given):
     """Store {name: value} of all preferences; those that are the defaults are not kept.
 
-    Raises ValueError where one is not allowed; then nothing is stored.
+    Raises ValueError where one is not allowed, TypeError for other names; then nothing is stored.
     """
     preferences.check(given)
     reset()

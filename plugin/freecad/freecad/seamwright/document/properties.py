@@ -118,11 +118,7 @@ def checked(given, table, choices):
                 raise ValueError("%s %r: choose one of %s" % (argument, value, ", ".join(allowed)))
             values[name] = value
         elif argument in names:
-            if not (value >= 0 and math.isfinite(value)):
-                raise ValueError(
-                    "%s = %r: must be a finite number, not negative" % (argument, value)
-                )
-            values[names[argument]] = value
+            values[names[argument]] = _not_negative(argument, value)
         else:
             raise TypeError("unknown tolerance %r" % argument)
     return values
@@ -134,12 +130,14 @@ def checked_numbers(argument, given):
     Raises ValueError for a number that is negative or not finite.
     """
     numbers = [] if given is None else list(given) if isinstance(given, (list, tuple)) else [given]
-    for index, value in enumerate(numbers):
-        if not (value >= 0 and math.isfinite(value)):
-            raise ValueError(
-                "%s[%d] = %r: must be a finite number, not negative" % (argument, index, value)
-            )
-    return [float(value) for value in numbers]
+    return [_not_negative("%s[%d]" % (argument, at), value) for at, value in enumerate(numbers)]
+
+
+def _not_negative(argument, value):
+    number = options.as_number(argument, value)
+    if not (number >= 0 and math.isfinite(number)):
+        raise ValueError("%s = %r: must be a finite number, not negative" % (argument, value))
+    return number
 
 
 def _of_profile(profile, names):

@@ -64,18 +64,18 @@ def _checked(option, value):
     if option.kind == FLAG:
         return bool(value)
     if option.kind == NUMBERS:
-        numbers = list(value) if hasattr(value, "__iter__") else [value]
+        numbers = [value] if isinstance(value, str) or not hasattr(value, "__iter__") else value
         return [_number(option, number) for number in numbers]
     if option.kind == VECTOR:
         return _vector(option, value)
     if option.kind == VECTORS:
-        return [_vector(option, each) for each in value]
+        return [_vector(option, each) for each in _several(option, value)]
     number = _number(option, value)
     return int(number) if option.kind == COUNT else number
 
 
 def _vector(option, value):
-    numbers = tuple(_number(option, number) for number in value)
+    numbers = tuple(_number(option, number) for number in _several(option, value))
     if len(numbers) != 3:
         raise ValueError(tr("{argument} has {numbers} coordinates: give three").format(
             argument=option.argument, numbers=len(numbers)
@@ -83,13 +83,26 @@ def _vector(option, value):
     return numbers
 
 
-def _number(option, value):
-    try:
-        number = float(value)
-    except TypeError:
-        raise ValueError(tr("{argument} = {value!r} is no number").format(
+def _several(option, value):
+    if isinstance(value, str) or not hasattr(value, "__iter__"):
+        raise ValueError(tr("{argument} = {value!r} is no list").format(
             argument=option.argument, value=value
+        ))
+    return value
+
+
+def as_number(argument, value):
+    """Return the value of an argument as a number. Raises ValueError where it is none."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(tr("{argument} = {value!r} is no number").format(
+            argument=argument, value=value
         )) from None
+
+
+def _number(option, value):
+    number = as_number(option.argument, value)
     if option.kind == COUNT and number > MOST:
         raise ValueError("%s = %r: %s" % (
             option.argument, value, tr("at most {most}").format(most=MOST)

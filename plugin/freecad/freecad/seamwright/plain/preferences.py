@@ -2,6 +2,7 @@
 """The preferences of the workbench: their names, defaults and the values that are allowed."""
 
 import math
+import numbers
 from typing import Any, NamedTuple
 
 from freecad.seamwright.plain import palette, profiles
@@ -63,27 +64,26 @@ def is_allowed(preference, value):
     """Return whether a preference can have this value."""
     if isinstance(preference.default, bool):
         return isinstance(value, bool)
+    if not (isinstance(value, numbers.Real) and math.isfinite(value)):
+        return False
     if isinstance(preference.default, int) and value != int(value):
         return False
-    return math.isfinite(value) and preference.least <= value <= preference.largest
+    return preference.least <= value <= preference.largest
 
 
 def check(values):
     """Raise ValueError for the first of {name: value} that is not allowed.
 
-    ``values`` has all tolerances, since they depend on each other.
+    ``values`` has all preferences, since tolerances depend on each other; TypeError otherwise.
     """
     known = {each.name: each for each in ALL}
+    for name in (*values, *known):
+        if (name in known) != (name in values):
+            fault = "missing" if name in known else "unknown"
+            raise TypeError("%s preference %r: give %s" % (fault, name, ", ".join(known)))
     for name, value in values.items():
         if not is_allowed(known[name], value):
-            raise ValueError(
-                tr("{name} cannot be {value:g}: choose from {least:g} to {largest:g}").format(
-                    name=tr(known[name].label),
-                    value=value,
-                    least=known[name].least,
-                    largest=known[name].largest,
-                )
-            )
+            raise ValueError(_refused(known[name], value))
     if values["CreaseAngle"] <= values["AngleTolerance"]:
         raise ValueError(
             tr(
@@ -91,6 +91,20 @@ def check(values):
                 "{angle:g}\u00b0"
             ).format(crease=values["CreaseAngle"], angle=values["AngleTolerance"])
         )
+
+
+def _refused(preference, value):
+    name = tr(preference.label)
+    if isinstance(preference.default, bool):
+        return tr("{name} cannot be {value!r}: choose True or False").format(
+            name=name, value=value
+        )
+    return tr("{name} cannot be {value}: choose from {least:g} to {largest:g}").format(
+        name=name,
+        value="%g" % value if isinstance(value, numbers.Real) else repr(value),
+        least=preference.least,
+        largest=preference.largest,
+    )
 
 
 def usable(stored):

@@ -4,6 +4,7 @@
 import FreeCAD as App
 import numpy
 
+from freecad.seamwright.document.curves.inputs import check_places
 from freecad.seamwright.plain.language import tr
 
 #: A normal this near to an axis is that axis; rounding of rotated coordinates is smaller.
@@ -89,7 +90,11 @@ def _level_normal(direction):
 
 
 def plane_of(points, flatness_mm):
-    """Return the Plane of points. Raises ValueError where one of them is too far from it."""
+    """Return the Plane of points.
+
+    Raises ValueError where a point is too far from it, or is not finite.
+    """
+    check_places(points)
     plane = Plane.through(points)
     _, distance = plane.coordinates(points)
     if distance > flatness_mm:

@@ -82,7 +82,9 @@ class SurfaceMap(Tool):
         all_values = numpy.concatenate([each.values for each in found])
         points = numpy.concatenate([each.mesh.points for each in found])
         if not len(points):
-            raise ValueError(tr("there are no faces to draw on"))
+            raise ValueError(tr(
+                "no face could be divided into triangles: see Check geometry in the workbench Part"
+            ))
         report = maps.extremes(all_values, points)
         report["undefined"] = report["least"] is None
         for key in ("least", "largest"):

@@ -3421,6 +3421,10 @@ Gezeigt: {show}</translation>
         <translation>keine Kanten</translation>
     </message>
     <message>
+        <source>no face could be divided into triangles: see Check geometry in the workbench Part</source>
+        <translation>keine Fläche konnte in Dreiecke zerlegt werden: siehe Geometrie prüfen im Arbeitsbereich Part</translation>
+    </message>
+    <message>
         <source>no face moved</source>
         <translation>keine Fläche verschoben</translation>
     </message>
@@ -3825,10 +3829,6 @@ Gezeigt: {show}</translation>
         <translation>es gibt keine Kurven: {needs}</translation>
     </message>
     <message>
-        <source>there are no faces to draw on</source>
-        <translation>es gibt keine Flächen, auf die gezeichnet werden kann</translation>
-    </message>
-    <message>
         <source>there are no points</source>
         <translation>es gibt keine Punkte</translation>
     </message>
@@ -3919,6 +3919,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{arcs} and {lines}{chains}, {length_mm} mm long, at most {distance_mm} mm from the input</source>
         <translation>{arcs} und {lines}{chains}, {length_mm} mm lang, höchstens {distance_mm} mm von der Eingabe</translation>
+    </message>
+    <message>
+        <source>{argument} = {value!r} is no list</source>
+        <translation>{argument} = {value!r} ist keine Liste</translation>
     </message>
     <message>
         <source>{argument} = {value!r} is no number</source>
@@ -4413,8 +4417,12 @@ Gezeigt: {show}</translation>
         <translation>{name} begrenzt keine der Kanten: Lassen Sie sie weg</translation>
     </message>
     <message>
-        <source>{name} cannot be {value:g}: choose from {least:g} to {largest:g}</source>
-        <translation>{name} kann nicht {value:g} sein: wählen Sie {least:g} bis {largest:g}</translation>
+        <source>{name} cannot be {value!r}: choose True or False</source>
+        <translation>{name} kann nicht {value!r} sein: wählen Sie True oder False</translation>
+    </message>
+    <message>
+        <source>{name} cannot be {value}: choose from {least:g} to {largest:g}</source>
+        <translation>{name} kann nicht {value} sein: wählen Sie {least:g} bis {largest:g}</translation>
     </message>
     <message>
         <source>{name} does not bound one face alone: select the face to join, too</source>

@@ -3418,6 +3418,10 @@ Shown: {show}</source>
         <translation>エッジなし</translation>
     </message>
     <message>
+        <source>no face could be divided into triangles: see Check geometry in the workbench Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no face moved</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3822,10 +3826,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there are no faces to draw on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>there are no points</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3915,6 +3915,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{arcs} and {lines}{chains}, {length_mm} mm long, at most {distance_mm} mm from the input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{argument} = {value!r} is no list</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4410,7 +4414,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{name} cannot be {value:g}: choose from {least:g} to {largest:g}</source>
+        <source>{name} cannot be {value!r}: choose True or False</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} cannot be {value}: choose from {least:g} to {largest:g}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3421,6 +3421,10 @@ Shown: {show}</source>
         <translation>无边</translation>
     </message>
     <message>
+        <source>no face could be divided into triangles: see Check geometry in the workbench Part</source>
+        <translation>没有面能划分成三角形：请用零件工作台的“检查几何体”</translation>
+    </message>
+    <message>
         <source>no face moved</source>
         <translation>没有面移动</translation>
     </message>
@@ -3825,10 +3829,6 @@ Shown: {show}</source>
         <translation>没有曲线：{needs}</translation>
     </message>
     <message>
-        <source>there are no faces to draw on</source>
-        <translation>没有可绘制的面</translation>
-    </message>
-    <message>
         <source>there are no points</source>
         <translation>没有点</translation>
     </message>
@@ -3919,6 +3919,10 @@ Shown: {show}</source>
     <message>
         <source>{arcs} and {lines}{chains}, {length_mm} mm long, at most {distance_mm} mm from the input</source>
         <translation>{arcs}和{lines}{chains}，长 {length_mm} mm，与输入相距最多 {distance_mm} mm</translation>
+    </message>
+    <message>
+        <source>{argument} = {value!r} is no list</source>
+        <translation>{argument} = {value!r} 不是列表</translation>
     </message>
     <message>
         <source>{argument} = {value!r} is no number</source>
@@ -4413,8 +4417,12 @@ Shown: {show}</source>
         <translation>{name} 不以这些边为边界：请去掉它</translation>
     </message>
     <message>
-        <source>{name} cannot be {value:g}: choose from {least:g} to {largest:g}</source>
-        <translation>{name}不能是 {value:g}：请选择 {least:g} 到 {largest:g}</translation>
+        <source>{name} cannot be {value!r}: choose True or False</source>
+        <translation>{name}不能是 {value!r}：请选择 True 或 False</translation>
+    </message>
+    <message>
+        <source>{name} cannot be {value}: choose from {least:g} to {largest:g}</source>
+        <translation>{name}不能是 {value}：请选择 {least:g} 到 {largest:g}</translation>
     </message>
     <message>
         <source>{name} does not bound one face alone: select the face to join, too</source>
