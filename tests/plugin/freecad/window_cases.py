@@ -289,6 +289,17 @@ class Panel(WindowCase):
             self.assertFalse(export_dialog.export_to(obj, os.path.join(folder, "no", "seams.csv")))
         self.assertIn("does not exist", messages()[0])
 
+    def answer(self, text):
+        """Press a button of the one question that is shown."""
+        (box,) = [
+            each
+            for each in QtWidgets.QApplication.topLevelWidgets()
+            if isinstance(each, QtWidgets.QMessageBox) and each.isVisible()
+        ]
+        (button,) = [each for each in box.buttons() if each.text().strip("&") == text]
+        button.click()
+        settle()
+
     def test_close_asks_what_becomes_of_changed_values(self):
         for answer, angle, closed in (
             ("Cancel", 0.1, False), ("Discard the changes", 0.1, True),
@@ -298,19 +309,28 @@ class Panel(WindowCase):
                 obj, panel = self.analyse()
                 panel.tolerances.fields["AngleTolerance"].setValue(3.0)
                 self.press(QtWidgets.QDialogButtonBox.Close)
-                (box,) = [
-                    each
-                    for each in QtWidgets.QApplication.topLevelWidgets()
-                    if isinstance(each, QtWidgets.QMessageBox) and each.isVisible()
-                ]
-                (button,) = [each for each in box.buttons() if each.text().strip("&") == answer]
-                button.click()
-                settle()
+                self.answer(answer)
                 self.assertEqual(obj.AngleTolerance.Value, angle)
                 self.assertEqual(obj.ViewObject.Proxy.panel is None, closed)
                 Gui.getDocument(self.doc.Name).resetEdit()
         obj, panel = self.analyse()
         self.press(QtWidgets.QDialogButtonBox.Close)
+        self.assertIsNone(obj.ViewObject.Proxy.panel)
+
+    def test_escape_in_the_view_closes_and_asks_before(self):
+        obj, panel = self.analyse()
+        view = Gui.getMainWindow().findChild(QtWidgets.QGraphicsView)
+        panel.tolerances.fields["AngleTolerance"].setValue(3.0)
+        view.setFocus()
+        press_escape()
+        settle()
+        self.assertIs(obj.ViewObject.Proxy.panel, panel)
+        self.answer("Discard the changes")
+        self.assertIsNone(obj.ViewObject.Proxy.panel)
+        obj, panel = self.analyse()
+        view.setFocus()
+        press_escape()
+        settle()
         self.assertIsNone(obj.ViewObject.Proxy.panel)
 
     def test_closing_the_panel_drops_selection_and_band(self):

@@ -18,6 +18,7 @@ from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.flow import FlowLayout
 from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_text
+from freecad.seamwright.gui.widgets.keys import PanelKeys
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.steps import abort, remove, step
@@ -52,6 +53,7 @@ class AnalysisPanel:
         self._created = created
         self._in_step = created  # whether a transaction is open for the next results
         self._proposed = None  # the match distance of the last report, if the panel proposed it
+        self.ended = False  # whether the panel was closed
         self._all_selected = True  # whether the edges of all chosen rows are selected in the view
         self.picker = EdgePicker(obj, self._edges_picked)
         self._build()
@@ -70,8 +72,9 @@ class AnalysisPanel:
         return buttons("Close")
 
     def open(self):
-        """Make the dock that holds the panel wide enough for it."""
+        """Make the dock that holds the panel wide enough for it, and take Esc."""
         widen_dock(self.form, DOCK_WIDTH)
+        PanelKeys(self, ("escape",))
 
     def reject(self):
         """Stop a running computation; without one, close the panel.
@@ -91,9 +94,14 @@ class AnalysisPanel:
         Gui.getDocument(self._doc.Name).resetEdit()
         return True
 
+    def key(self, _):
+        """Esc closes the panel: FreeCAD's view would close it without its question."""
+        if not QtWidgets.QApplication.mouseButtons():
+            self.reject()
+
     def _close(self, recompute):
         """Close the panel, after a computation with the values of the fields if that is wanted."""
-        if self.obj.ViewObject.Proxy.panel is not self:
+        if self.ended:
             return
         if recompute:
             self._measure(then=lambda: self._close(False))
@@ -255,6 +263,7 @@ class AnalysisPanel:
 
     def leave(self):
         """Clear the selection, and stop computing and observing the view."""
+        self.ended = True
         self.computation.drop()
         self.picker.stop()
         Gui.Selection.clearSelection()

@@ -42,13 +42,15 @@ def is_typing():
 class PanelKeys(QtCore.QObject):
     """Gives Esc, undo and redo to ``panel.key(name)`` until the form of the panel is deleted.
 
+    ``keys``: which of them the panel takes.
+
     FreeCAD does not get them: its view ends the editing at Esc, and its undo takes the whole object
     back. A text field outside of the panel keeps its keys.
     """
 
-    def __init__(self, panel):
+    def __init__(self, panel, keys=OF_PANEL):
         super().__init__(panel.form)
-        self._panel, self._taken = panel, set()
+        self._panel, self._keys, self._taken = panel, keys, set()
         Gui.getMainWindow().windowHandle().installEventFilter(self)
 
     def eventFilter(self, window, event):
@@ -56,7 +58,7 @@ class PanelKeys(QtCore.QObject):
         if event.type() not in KEYS:
             return False
         name = name_of(event)
-        if name not in OF_PANEL:
+        if name not in self._keys:
             return False
         if event.type() == QtCore.QEvent.KeyRelease:
             taken = event.key() in self._taken
