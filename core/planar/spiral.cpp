@@ -95,8 +95,8 @@ CShape cShapeOf(const HermiteEnds& ends) {
                      .side = angles.alpha_rad < 0 ? -1.0 : 1.0};
   if (!(angles.alpha_rad * angles.beta_rad > 0))
     throw std::domain_error(fmt::format(
-        "a logarithmic spiral turns to one side, but alpha is {} rad and beta is {} rad: use a "
-        "clothoid or a biarc",
+        "a logarithmic spiral turns to one side: from the first tangent to the chord it is {} rad, "
+        "from the chord to the last tangent {} rad; clothoids and arcs join such ends",
         angles.alpha_rad, angles.beta_rad));
   // The turn is a sum of angles up to pi, each with some roundings of 4e-16. A half circle must
   // pass.

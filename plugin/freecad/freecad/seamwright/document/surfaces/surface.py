@@ -17,6 +17,9 @@ ORDERS = ("G0", "G1", "G2", "G3")
 #: cubic.
 HANDLE_SHARE = 1.0 / 3
 
+#: Where along a side its name is shown: beside the handle, which lies at the middle.
+MARKED = 0.25
+
 TOLERANCES = (
     Option("GapTolerance", "gap_mm", LENGTH, 0.01, "Gap tolerance",
            "Largest distance between the two sides of a seam, in mm", least=0.0),
@@ -140,7 +143,7 @@ class Surface(OptionFeature):
             "poles": list(found.surface.poles.shape[:2]),
             "handles": cls.handles_of(found.surface, values),
             "marks": [
-                (found.surface.point(0.5, at).tolist(), text) for at, text in cls.ends(found)
+                (found.surface.point(MARKED, at).tolist(), text) for at, text in cls.ends(found)
             ],
         }
 

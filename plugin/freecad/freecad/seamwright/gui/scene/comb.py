@@ -6,7 +6,11 @@ import numpy
 from pivy import coin
 
 from freecad.seamwright.gui.scene.halo import nearer
-from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unpickable
+from freecad.seamwright.gui.scene.overlay import (
+    outside_bounding_box,
+    pixel_ratio,
+    unlit_unpickable,
+)
 from freecad.seamwright.plain.preferences import COMB_LINES
 
 #: Colours of the lines and of the curve through their ends.
@@ -41,7 +45,7 @@ class Comb:
         colour, hull_colour = coin.SoBaseColor(), coin.SoBaseColor()
         colour.rgb, hull_colour.rgb = colours
         style = coin.SoDrawStyle()
-        style.lineWidth = 1.0
+        style.lineWidth = pixel_ratio()
         for node in (
             *unlit_unpickable(),
             nearer(LIFT),

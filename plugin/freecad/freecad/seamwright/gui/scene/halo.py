@@ -3,7 +3,7 @@
 
 from pivy import coin
 
-from freecad.seamwright.gui.scene.overlay import unlit_unpickable
+from freecad.seamwright.gui.scene.overlay import pixel_ratio, unlit_unpickable
 
 COLOUR = (1.0, 0.85, 0.0)
 WIDTH = 16.0
@@ -35,7 +35,7 @@ class Halo:
         binding.value = coin.SoMaterialBinding.PER_FACE  # in a line set: one colour for each line
         band, style = coin.SoBaseColor(), coin.SoDrawStyle()
         band.rgb = COLOUR
-        style.lineWidth = WIDTH
+        style.lineWidth = WIDTH * pixel_ratio()
         below, above = coin.SoSeparator(), coin.SoSeparator()
         for node in (nearer(BAND_LIFT), band, style, self._lines):
             below.addChild(node)
@@ -51,7 +51,7 @@ class Halo:
         ``colours`` are the (red, green, blue) of the lines, 0..1; ``line_width`` is in pixels.
         """
         points = [point for line in lines for point in line]
-        self._core_style.lineWidth = line_width
+        self._core_style.lineWidth = line_width * pixel_ratio()
         for field, values in (
             (self._points.point, points),
             (self._lines.numVertices, [len(line) for line in lines]),

@@ -7,7 +7,11 @@ from pivy import coin
 from freecad.seamwright.gui.scene import markers
 from freecad.seamwright.gui.scene.comb import COLOURS, LIFT
 from freecad.seamwright.gui.scene.halo import nearer
-from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unpickable
+from freecad.seamwright.gui.scene.overlay import (
+    outside_bounding_box,
+    pixel_ratio,
+    unlit_unpickable,
+)
 
 LINE_COLOUR, LINE_WIDTH = (0.84, 0.1, 0.45), 2.5
 STALK_COLOUR = (0.35, 0.4, 0.45)
@@ -72,7 +76,7 @@ def _one_line(points):
 class _Lines:
     def __init__(self, parent, rgb, width):
         colour, style = coin.SoBaseColor(), coin.SoDrawStyle()
-        colour.rgb, style.lineWidth = rgb, width
+        colour.rgb, style.lineWidth = rgb, width * pixel_ratio()
         self._points, self._set = coin.SoCoordinate3(), coin.SoLineSet()
         self._set.numVertices.setNum(0)
         for node in (colour, style, self._points, self._set):

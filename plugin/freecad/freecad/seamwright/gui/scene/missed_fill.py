@@ -7,6 +7,7 @@ from pivy import coin
 from freecad.seamwright.gui.scene.coloured import unpickable
 from freecad.seamwright.gui.scene.halo import BAND_LIFT, CORE_LIFT, nearer
 from freecad.seamwright.gui.scene.legend import Legend
+from freecad.seamwright.gui.scene.overlay import pixel_ratio
 
 FACE_COLOUR, LINE_WIDTH, LEGEND_TEXT_PX = (0.45, 0.8, 0.7), 7.0, 13
 
@@ -56,7 +57,7 @@ def _lines(lines):
     points = [tuple(point) for line, _ in lines for point in line]
     colours = [colour for _, own in lines for colour in own]
     group, light, style = coin.SoSeparator(), coin.SoLightModel(), coin.SoDrawStyle()
-    light.model, style.lineWidth = coin.SoLightModel.BASE_COLOR, LINE_WIDTH
+    light.model, style.lineWidth = coin.SoLightModel.BASE_COLOR, LINE_WIDTH * pixel_ratio()
     binding, material = coin.SoMaterialBinding(), coin.SoBaseColor()
     binding.value = coin.SoMaterialBinding.PER_VERTEX
     coordinates, line_set = coin.SoCoordinate3(), coin.SoLineSet()
