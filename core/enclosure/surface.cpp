@@ -31,6 +31,7 @@ SurfaceFields placed(const SurfaceFields& local, const Placement& placement, Det
   fields.point =
       placement.scale * (placement.orthogonal * local.point) + constantModel(placement.translation);
   if (detail >= Detail::TangentPlane) fields.normal = side * (placement.orthogonal * local.normal);
+  fields.bounds_curvature = local.bounds_curvature;
   if (detail >= Detail::Curvature)
     fields.tensor = (side / placement.scale) * turned(placement.orthogonal, local.tensor);
   if (detail < Detail::CurvatureChange) return fields;
@@ -85,6 +86,7 @@ class Plane : public SurfaceEvaluator {
     return {.point = vectorModel(u, v, zero),
             .normal = vectorModel(zero, zero, one),
             .tensor = {},
+            .bounds_curvature = true,
             .u = vectorModel(one, zero, zero),
             .v = vectorModel(zero, one, zero)};
   }
@@ -111,6 +113,7 @@ SurfaceFields turnedFields(const ChebyshevModel& u, const Profile& profile, Deta
   fields.point = vectorModel(profile.rho * cosine, profile.rho * sine, profile.height);
   if (detail >= Detail::TangentPlane)
     fields.normal = vectorModel(profile.outward * cosine, profile.outward * sine, profile.axial);
+  fields.bounds_curvature = profile.circle_curvature.isKnown();
   if (detail >= Detail::Curvature) {
     const VectorModel around = vectorModel(-sine, cosine, zero);
     const VectorModel along =
@@ -313,6 +316,7 @@ class Revolution : public SurfaceEvaluator {
     SurfaceFields fields;
     fields.point = turn(start.point);
     if (detail >= Detail::TangentPlane) fields.normal = turn(start.normal);
+    fields.bounds_curvature = start.bounds_curvature;
     if (detail >= Detail::Curvature) {
       const SymmetricModel& k = start.tensor;
       const VectorModel x =
@@ -363,6 +367,7 @@ class Offset : public SurfaceEvaluator {
     const double side = signOf(area_factor);
     if (side == 0) return unknownPlane(fields);
     fields.normal = side * basis.normal;
+    fields.bounds_curvature = basis.bounds_curvature;
     if (detail >= Detail::Curvature) {
       SymmetricModel projection = -symmetricProduct(basis.normal, basis.normal);
       for (int i = 0; i < 3; ++i) projection[i] += ChebyshevModel(1);

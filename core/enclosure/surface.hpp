@@ -29,6 +29,8 @@ struct SurfaceFields {
   VectorModel point;
   VectorModel normal;          ///< unit, in the direction of X_u x X_v
   SymmetricModel tensor;       ///< curvature tensor for that normal, see curvatureTensor()
+  /// Whether the curvature is bounded where the normal is known; also without the tensor.
+  bool bounds_curvature = false;
   VectorModel u = {}, v = {};  ///< X_u and X_v, only with the change of curvature
   CubicForm change = {};       ///< curvatureChange() for that normal, as a form of the direction
 };

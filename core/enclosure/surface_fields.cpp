@@ -93,6 +93,7 @@ SurfaceFields fieldsOf(const JetModel& jet, Detail detail) {
   if (detail == Detail::Position) return fields;
   const TangentBasis basis(jet.u, jet.v);
   const VectorModel& n = fields.normal = basis.normal;
+  fields.bounds_curvature = true;
   if (detail < Detail::Curvature) return fields;
   const DualBasis dual(basis);
   fields.tensor = dual.tensor(dot(n, jet.uu), dot(n, jet.uv), dot(n, jet.vv));
@@ -123,6 +124,8 @@ SurfaceFields collapsedFieldsOf(const CollapsedJetModel& jet, Detail detail) {
   const TangentBasis basis(q_s, q.p + tau * q_tau);
   // X_u x X_v is tau Q_s x X_tau, or its negative where tau is along u.
   fields.normal = (along_v ? jet.side : -jet.side) * basis.normal;
+  const Interval distances = tau.range();
+  fields.bounds_curvature = distances.lower > 0 || distances.upper < 0;
   if (detail == Detail::TangentPlane) return fields;
   const VectorModel& n = fields.normal;
   const VectorModel& q_tau_tau = along_v ? q.vv : q.uu;

@@ -67,8 +67,15 @@ class Enclosure {
   /// above it, pieces that were measured before have curvatures, which isSettled(), excess() and
   /// figuresOf() ignore.
   Detail detail() const {
-    if (lower_[Angle] > tolerance_.crease_rad) return Detail::TangentPlane;
+    if (lower_[Angle] > tolerance_.crease_rad || isVerdictBelowG2()) return Detail::TangentPlane;
     return options_.curvature_change ? Detail::CurvatureChange : Detail::Curvature;
+  }
+  /// Whether only the verdict is wanted, and the level is certainly below G2: then the bounds of
+  /// the curvature count no more.
+  bool isVerdictBelowG2() const {
+    return !options_.figures &&
+           (lower_[Gap] > tolerance_.gap_mm || lower_[Angle] > tolerance_.angle_rad ||
+            lower_[RelativeCurvature] > tolerance_.curvature_rel);
   }
   bool folds(const Piece& piece) const {
     return enclosure::folds(piece, a_.faceOnLeft() == b_.faceOnLeft());
@@ -167,7 +174,7 @@ bool Enclosure::isSettled(const Piece& piece) const {
   const bool across = f.smallest_angle_rad <= crease && f.angle_rad.upper > crease;
   if (across && (!sharp || folds(piece) || piece.width() > 0.01)) return false;
   if (!isEnough(Angle, f.angle_rad.upper)) return false;
-  if (sharp) return std::isfinite(f.angle_rad.upper);
+  if (sharp || isVerdictBelowG2()) return std::isfinite(f.angle_rad.upper);
   if (piece.curvature_left_out) return f.curvature_rel && isOnOneSide(*f.curvature_rel);
   if (!f.curvature_per_mm || !isEnough(Curvature, f.curvature_per_mm->upper) ||
       !isEnough(RelativeCurvature, f.curvature_rel->upper))
@@ -242,6 +249,7 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   split = b.split;
   if (split) return false;
   piece.across_knots = a.alternatives.size() > 1 || b.alternatives.size() > 1;
+  piece.bounds_curvature = a.hasCurvature() && b.hasCurvature();
   const PieceSlack slack = {
       {allowed_share, allowed(Gap)},       {allowed_share, allowed(Angle)},
       {allowed_share, allowed(Curvature)}, {allowed_share, allowed(RelativeCurvature)},
@@ -392,9 +400,8 @@ double Enclosure::shortened(double end, double share) const {
 /// Whether the piece at that end says that the curvature of both sides is bounded there.
 bool Enclosure::hasCurvatureAt(double end) const {
   return std::ranges::any_of(pieces_, [&](const Piece& piece) {
-    const auto& curvature = piece.figures.curvature_per_mm;
-    return (end == 0 ? piece.from == 0 : piece.to == 1) && !piece.left_out && curvature &&
-           std::isfinite(curvature->upper);
+    return (end == 0 ? piece.from == 0 : piece.to == 1) && !piece.left_out &&
+           piece.bounds_curvature;
   });
 }
 
@@ -525,6 +532,7 @@ SeamPieces Enclosure::finish() {
           .faces_on_one_side = a_.faceOnLeft() == b_.faceOnLeft(),
           .looks = looks_,
           .exhausted = exhausted_,
+          .is_verdict_below_g2 = isVerdictBelowG2(),
           .has_change = options_.curvature_change};
 }
 

@@ -14,8 +14,9 @@ struct EncloseOptions {
   /// enclosures stay as wide as they are.
   int max_pieces = 1000;
   int max_knot_cuts = 30'000;  ///< work limit: cuts where sides cross knot lines
-  /// false: stop as soon as the verdict is certain, with enclosures of any width; but not for a
-  /// seam of which something is left out.
+  /// false: stop as soon as the verdict is certain, with enclosures of any width; the curvature may
+  /// have no upper bound where the level is below G2. A seam of which something is left out has all
+  /// figures.
   bool figures = true;
   bool curvature_change = false;  ///< also encloses the change of curvature, for level G3
 };

@@ -191,9 +191,12 @@ std::string Figures::whyUncertified(const Summary& sum, const SeamFigures& figur
   }
   if (sum.isFoldOpen()) return "the faces may fold back on one another";
   if (!is_crease_known) return "the crease angle is passed near the middle of its length";
-  if (figures.curvature_rel && !figures.curvature_rel->upper) return "the curvature is not bounded";
-  if (figures.curvature_change_rel && !figures.curvature_change_rel->upper)
-    return "the change of curvature is not bounded";
+  if (!seam_.is_verdict_below_g2) {
+    if (figures.curvature_rel && !figures.curvature_rel->upper)
+      return "the curvature is not bounded";
+    if (figures.curvature_change_rel && !figures.curvature_change_rel->upper)
+      return "the change of curvature is not bounded";
+  }
   if (seam_.exhausted)
     return fmt::format("the enclosures are still wide after {} pieces", seam_.looks);
   return "";
@@ -216,7 +219,7 @@ SeamFigures Figures::all() const {
   const auto known = [](const std::optional<Figure>& figure) { return !figure || figure->upper; };
   figures.certified =
       known(figures.gap_mm) && known(figures.angle_rad) &&
-      (figures.fold_at ||
+      (figures.fold_at || seam_.is_verdict_below_g2 ||
        (known(figures.curvature_per_mm) && known(figures.curvature_rel) &&
         known(figures.curvature_change_per_mm2) && known(figures.curvature_change_rel)));
   return figures;

@@ -26,6 +26,7 @@ struct Piece {
   bool left_out = false;            ///< only the gap counts
   bool curvature_left_out = false;  ///< only gap and angle count
   bool across_knots = false;        ///< on a side, several polynomials meet it
+  bool bounds_curvature = false;    ///< the curvature of both sides is bounded
   /// How wide its bounds are, in units of the allowed width; 0 if they are narrow enough.
   double excess = infinite;
   int stalled = 0;  ///< number of cuts in a row that improved no part
@@ -48,6 +49,8 @@ struct SeamPieces {
   bool faces_on_one_side = false;  ///< both faces are left of the seam, or both right
   int looks = 0;                   ///< number of pieces measured
   bool exhausted = false;          ///< the work limit was reached
+  /// Only the verdict is wanted, and it is below G2: pieces may lack the curvature.
+  bool is_verdict_below_g2 = false;
   bool has_change = false;         ///< the change of curvature was asked for
 };
 

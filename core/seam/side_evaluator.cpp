@@ -50,7 +50,8 @@ bool SideFields::hasPlane() const {
 
 bool SideFields::hasCurvature() const {
   return hasPlane() && std::ranges::all_of(alternatives, [](const SurfaceFields& fields) {
-           return std::ranges::all_of(fields.tensor,
+           return fields.bounds_curvature &&
+                  std::ranges::all_of(fields.tensor,
                                       [](const ChebyshevModel& k) { return k.isKnown(); });
          });
 }

@@ -19,7 +19,8 @@ struct SideFields {
 
   /// Whether the side is known to have a tangent plane on the whole piece.
   bool hasPlane() const;
-  /// Whether the curvature of the side is known to be bounded on the whole piece.
+  /// Whether the curvature of the side is known to be bounded on the whole piece; also for fields
+  /// without the tensor.
   bool hasCurvature() const;
 };
 

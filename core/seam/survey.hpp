@@ -65,9 +65,10 @@ struct SeamFigures {
   double plane_share = 1;  ///< share of the length over which both sides have a tangent plane, 0..1
   bool shares_known = false;  ///< proven: whether below_crease_share is above a half, and
                               ///< whether the faces fold
-  bool certified = false;     ///< every upper bound is known
-  std::string uncertified;    ///< why not certified, if an enclosure was tried
-  bool settled = true;        ///< false: figures still changed when the limit of points was reached
+  /// Every upper bound is known; if only the verdict was wanted, every one that counts for it.
+  bool certified = false;
+  std::string uncertified;  ///< why not certified, if an enclosure was tried
+  bool settled = true;      ///< false: figures still changed when the limit of points was reached
   std::vector<DegeneratePoint> degenerate;
   int points = 0;
 

@@ -267,6 +267,30 @@ TEST(EncloseSeam, ACertainVerdictIsThatOfTheDensestSampling) {
   EXPECT_GT(certain, 600);
 }
 
+TEST(EncloseSeam, AVerdictAloneIsThatOfAllFigures) {
+  std::mt19937_64 random(testSeed());
+  int below_g2 = 0;
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = randomSeam(random);
+    const ContinuityTolerance tolerance = randomTolerance(random);
+    const auto figures = [&](bool all) {
+      return encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.figures = all});
+    };
+    const SeamFigures full = figures(true), quick = figures(false);
+    const Verdict wanted = judge(full, tolerance, Level::G2);
+    const Verdict found = judge(quick, tolerance, Level::G2);
+    if (!wanted.certain) continue;
+    EXPECT_TRUE(found.certain) << quick.uncertified;
+    EXPECT_EQ(found.level, wanted.level);
+    EXPECT_EQ(found.seam_class, wanted.seam_class);
+    EXPECT_LE(quick.gap_mm->lower, *full.gap_mm->upper);
+    EXPECT_GE(*quick.gap_mm->upper, full.gap_mm->lower);
+    below_g2 += found.level == Level::G1;
+  }
+  EXPECT_GT(below_g2, 20);
+}
+
 // --- exact joins
 
 /// Bernstein coefficients of a polynomial with values in space or of numbers.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -202,6 +203,12 @@ inline void expectHeld(const SurfaceEvaluator& evaluator,
                        double hint_u, double hint_v, Real noise = 1e-15L) {
   const SurfaceFields fields =
       evaluator.fields(path.u, path.v, hint_u, hint_v, Detail::CurvatureChange);
+  const SurfaceFields plane =
+      evaluator.fields(path.u, path.v, hint_u, hint_v, Detail::TangentPlane);
+  const auto is_known = [](const ChebyshevModel& model) { return model.isKnown(); };
+  if (plane.bounds_curvature && std::ranges::all_of(plane.normal, is_known)) {
+    EXPECT_TRUE(std::ranges::all_of(fields.tensor, is_known));
+  }
   for (const Real off : {-1, 0, 1})
     for (int i = 0; i <= 8; ++i) {
       const Real x = -1 + i / 4.0L;
