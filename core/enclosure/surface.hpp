@@ -27,8 +27,8 @@ struct CubicForm {
 /// for instance the normal at a pole or a cusp.
 struct SurfaceFields {
   VectorModel point;
-  VectorModel normal;          ///< unit, in the direction of X_u x X_v
-  SymmetricModel tensor;       ///< curvature tensor for that normal, see curvatureTensor()
+  VectorModel normal;     ///< unit, in the direction of X_u x X_v
+  SymmetricModel tensor;  ///< curvature tensor for that normal, see curvatureTensor()
   /// Whether the curvature is bounded where the normal is known; also without the tensor.
   bool bounds_curvature = false;
   VectorModel u = {}, v = {};  ///< X_u and X_v, only with the change of curvature

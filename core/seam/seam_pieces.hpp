@@ -51,7 +51,7 @@ struct SeamPieces {
   bool exhausted = false;          ///< the work limit was reached
   /// Only the verdict is wanted, and it is below G2: pieces may lack the curvature.
   bool is_verdict_below_g2 = false;
-  bool has_change = false;         ///< the change of curvature was asked for
+  bool has_change = false;  ///< the change of curvature was asked for
 };
 
 struct FigureOptions {
