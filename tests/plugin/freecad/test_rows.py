@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cells of the table of seams, word by word."""
+
+import math
+
+import pytest
+from test_plain import TOLERANCE, figure, seam
+
+from freecad.seamwright.plain import rows
+
+COLUMNS = {column.field: column for column in rows.COLUMNS}
+
+
+def built(*seams, **freecad):
+    report = {"seams": list(seams), "tolerance": dict(TOLERANCE), "freecad": freecad}
+    return rows.build_rows(report)
+
+
+def cells(row):
+    return {name: rows.cell_text(row, column) for name, column in COLUMNS.items()}
+
+
+def test_headings_are_short_and_have_units():
+    assert [column.title for column in rows.COLUMNS] == [
+        "Seam", "Class", "Angle \u00b0", "Gap {unit}", "Curv. %", "Change %", "Level", "Certain",
+        "Edge", "Faces", "Length {unit}",
+    ]  # fmt: skip
+
+
+def test_cells_of_a_seam():
+    (row,) = built({**seam(12, "defect", angle=0.25, edges=[7, 30]), "certified": True})
+    assert cells(row) == {
+        "seam": "12", "seam_class": "Defect", "angle_deg": "\u22650.25", "gap_mm": "\u22650.001",
+        "curvature_rel": "\u226550", "curvature_change_rel": "\u2013", "level": "G0",
+        "certain": "yes", "edge_text": "7, 30", "face_text": "12, 13", "length_mm": "120",
+    }  # fmt: skip
+
+
+def test_cells_of_what_was_not_measured_have_a_dash():
+    one = seam(1, "defect", gap=None, angle=None, curvature=None)
+    del one["length_mm"]
+    (row,) = built(one)
+    found = cells(row)
+    dashes = {name for name, text in found.items() if text == "\u2013"}
+    assert dashes == {"angle_deg", "gap_mm", "curvature_rel", "curvature_change_rel", "length_mm"}
+    assert (found["seam_class"], found["certain"]) == ("Defect?", "no")
+
+
+def test_edges_of_several_objects_have_the_names_of_their_objects():
+    names = {
+        "edges": {"3": ["Box", "Edge7"]},
+        "faces": {"3": ["Box", "Face2"], "4": ["Sheet", "Face1"]},
+    }
+    (row,) = built(seam(3), objects=["Box"], **names)
+    assert (row.edge_text, row.face_text) == ("Edge7", "Face2, Face1")
+    assert (cells(row)["edge_text"], cells(row)["face_text"]) == ("7", "2, 1")
+    (row,) = built(seam(3), objects=["Box", "Sheet"], **names)
+    assert (row.edge_text, row.face_text) == ("Box.Edge7", "Box.Face2, Sheet.Face1")
+    assert (cells(row)["edge_text"], cells(row)["face_text"]) == (row.edge_text, row.face_text)
+
+
+@pytest.mark.parametrize("gap, angle", [(None, 0.05), (0.001, None), (None, None)])
+def test_a_seam_that_was_not_measured_is_the_worst(gap, angle):
+    one = {**seam(1, gap=0.001), "gap_mm": figure(gap), "angle_deg": figure(angle)}
+    assert rows.severity(one, TOLERANCE, "G1") == math.inf
+
+
+def test_a_column_without_values_can_be_left_out():
+    some = built(seam(1), seam(2, "crease", curvature=None))
+    assert rows.has_values(some, "curvature_rel")
+    assert not rows.has_values(some, "curvature_change_rel")
+    assert not rows.has_values([], "seam")
+
+
+@pytest.mark.parametrize("field, wanted", [
+    ("seam_class", [2, 1, 3]), ("level", [2, 1, 3]), ("edge_text", [1, 3, 2]), ("seam", [1, 2, 3]),
+])  # fmt: skip
+def test_words_sort_by_their_meaning(field, wanted):
+    given = [
+        {**seam(1, "crease", edges=[9]), "level": "G0"},
+        {**seam(2, "defect", edges=[100]), "level": "none"},
+        {**seam(3, "smooth", edges=[20]), "level": "G3"},
+    ]
+    assert [row.seam for row in rows.sort_rows(built(*given), field)] == wanted
+    assert [row.seam for row in rows.sort_rows(built(*given), field, True)] == wanted[::-1]
+
+
+def test_four_intervals_are_listed_and_of_five_three():
+    def told(count):
+        left_out = {"angle_deg": [[k / 8, k / 8 + 0.01] for k in range(1, count + 1)]}
+        text = rows.detail_text({**seam(1), "left_out": left_out}, TOLERANCE)
+        return text.split("excluding ")[1].split(" of it")[0]
+
+    four = ["0.125 to 0.135", "0.25 to 0.26", "0.375 to 0.385", "0.5 to 0.51"]
+    assert told(4) == ", ".join(four)
+    assert told(5) == ", ".join(four[:3]) + " and 2 more intervals"
