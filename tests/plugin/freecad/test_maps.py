@@ -241,3 +241,50 @@ def test_bounds_say_whether_they_are_proven():
     assert "not measured" in seam_text.bound_line(seen, "curvature_rel")
     bent = seam(curvature_rel={"lower": 0.12, "upper": 0.15, "at": 0.5})
     assert seam_text.bound_line(bent, "curvature_rel").endswith("is 12..15 %, proven.")
+
+
+def test_quantities_and_their_units():
+    assert maps.UNITS == {
+        "Mean": "1/mm", "Gaussian": "1/mm\u00b2", "Largest": "1/mm", "Smallest radius": "mm"
+    }  # fmt: skip
+    assert list(maps.UNITS) == list(maps.QUANTITIES)
+
+
+def test_normals_that_are_a_little_too_long_have_angles():
+    normals = numpy.array([(0, 0, 1), (0, 0, -1)]) * (1 + 1e-15)
+    assert maps.draft_angles_deg(normals, (0, 0, 1)) == pytest.approx([90, -90])
+    assert maps.isophote_angles_deg(normals, (0, 0, 1)) == pytest.approx([0, 180])
+
+
+def test_a_normal_almost_along_the_lights_has_no_highlight():
+    normals = numpy.array([(0, 1, 1e-12), (0, 0.6, 0.8)])
+    found = maps.highlight_positions(numpy.zeros((2, 3)), normals, (1, 0, 0), (0, 0, 1), 8.0, 3.0)
+    assert math.isnan(found[0]) and abs(found[1]) == pytest.approx(2), "6 mm beside, of 3"
+
+
+#: A triangle with x from 0 over 1 to 4; the apex at x = 1 is 3 high: its section at x is 3 x up to
+#: there and 4 - x beyond.
+SLOPE = numpy.array([(4, 0, 5), (0, 0, 5), (1, 3, 5)], float)
+
+
+@pytest.mark.parametrize(
+    "limit, area",
+    [(-1, 6), (0, 6), (0.5, 6 - 0.375), (1, 4.5), (2, 2), (3, 0.5), (4, 0), (5, 0)],
+)
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
+def test_the_area_above_a_limit_is_that_of_the_section(limit, area, order):
+    found = maps.area_above(SLOPE, numpy.array([order]), SLOPE[:, 0], limit)
+    assert found == pytest.approx((area, 6))
+
+
+def test_areas_of_all_triangles_that_are_known_are_added():
+    points = numpy.concatenate([SLOPE, [(4, 0, 8), (0, 1, 5)]])
+    values = numpy.array([4, 0, 1, math.nan, 0.0])
+    triangles = numpy.array([(0, 1, 2), (1, 2, 4), (0, 2, 3)])
+    # the second has the base 1 at x = 0 and the height 1: 0.25 of its 0.5 lie beyond x = 0.5
+    assert maps.area_above(points, triangles, values, 0.5) == pytest.approx((5.625 + 0.125, 6.5))
+    level = numpy.full(3, 2.0)
+    for limit, area in ((1.9, 6), (2.0, 6), (2.1, 0)):
+        assert maps.area_above(SLOPE, numpy.array([(0, 1, 2)]), level, limit) == pytest.approx(
+            (area, 6)
+        )
