@@ -288,3 +288,39 @@ def test_areas_of_all_triangles_that_are_known_are_added():
         assert maps.area_above(SLOPE, numpy.array([(0, 1, 2)]), level, limit) == pytest.approx(
             (area, 6)
         )
+
+
+def test_a_surface_that_twists_has_a_mixed_curvature():
+    """z = x y at the origin, its parameters a tenth as large: nothing along x and y, 1 across."""
+    row = [numpy.array([each], float) for each in ((0.1, 0, 0), (0, 0.1, 0))]
+    still = numpy.zeros((1, 3))
+    found = seam_profile.side(still, row, (still, numpy.array([(0, 0, 0.01)]), still))
+    assert found.normals == pytest.approx(numpy.array([(0, 0, 1)]))
+    assert found.tensors[0] == pytest.approx(numpy.array([(0, 1, 0), (1, 0, 0), (0, 0, 0)]))
+    still = seam_profile.side(still, (row[0], row[0]), (still, still, still))
+    assert numpy.isnan(still.normals).all() and numpy.isnan(still.tensors).all()
+
+
+def test_the_other_sense_of_the_normal_is_no_difference(random):
+    """Also where the sides meet at an angle, about any axis along the seam or across it."""
+    one = cylinder_side(numpy.zeros(1), numpy.zeros(1), 10.0)
+    for axis in random.normal(size=(6, 3)):
+        axis[0] = 0  # across the normal (1, 0, 0), so that the angle is that of the turn
+        x, y, z = axis / numpy.linalg.norm(axis)
+        cross = numpy.array([(0, -z, y), (z, 0, -x), (-y, x, 0)])
+        angle = math.radians(4)
+        turn = numpy.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+        for sign in (1, -1):
+            other = seam_profile.Side(
+                one.points, sign * one.normals @ turn.T, sign * turn @ one.tensors @ turn.T
+            )
+            found = seam_profile.profile(one, other, 1e5, 5.0)
+            assert found["angle_deg"] == pytest.approx(4)
+            assert found["curvature_per_mm"] == pytest.approx(0, abs=1e-12)
+            assert found["curvature_rel"] == pytest.approx(0, abs=1e-12)
+
+
+def test_radii_below_the_flat_one_differ():
+    one, other = (cylinder_side(numpy.zeros(1), numpy.zeros(1), r) for r in (0.8e5, 0.9e5))
+    found = seam_profile.profile(one, other, 1e5, 5.0)["curvature_rel"]
+    assert found == pytest.approx(1 - 0.8 / 0.9)
