@@ -343,3 +343,26 @@ def test_numbers_by_edge():
             match="Radii has %s for the 3 edges of the corner .Edge4, Edge1, Edge9" % text,
         ):
             corner_text.by_edge(numbers, [4, 1, 9], "Radii")
+
+
+def test_cells_of_a_seam_inside_a_fill_and_its_headings():
+    figures = {name: {"lower": 1e-6, "upper": 1e-6, "at": 0} for name in ("angle_deg", "gap_mm")}
+    inside = {**measured(3, between="the fill itself"), **figures}
+    (row,) = new_seams.build_rows([inside], LIMITS, "G1")
+    assert dict(zip((heading for heading, _ in new_seams.COLUMNS), row.cells)) == {
+        "Edge": "Edge3", "Between": "the fill itself", "Angle \u00b0": "1e-6",
+        "Gap {unit}": "1e-6", "Curvature %": "\u226550", "Result": "meets G1",
+    }  # fmt: skip
+    (row,) = new_seams.build_rows([measured(3, between="fill, Face12")], LIMITS, "G1")
+    assert row.cells[1] == "fill, Face12"
+
+
+def test_a_lower_bound_at_the_tolerance_is_no_certain_miss():
+    for factor, missed in ((1, False), (1 + 1e-12, True)):
+        one = {**measured(1), "angle_deg": {"lower": 0.01 * factor, "upper": 0.02, "at": 0}}
+        assert new_seams.certainly_misses(one, LIMITS, "G1") == missed
+
+
+def test_a_gap_without_an_upper_bound_is_unknown():
+    text = new_seams.largest_text([measured(1, bounded=False)], LIMITS)
+    assert text == "1 seam, gap unknown, angle unknown, curvature unknown"
