@@ -111,6 +111,8 @@ def test_the_words_of_the_legend():
     assert [meaning for *_, meaning in entries] == ["the tolerance", "", "within the tolerances"]
     assert entries[1][0].rgb == pytest.approx((213, 94, 0), abs=1)
     assert entries[2][0].rgb == (0, 158, 115)
+    _, entries, _ = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 1.21)
+    assert [name for _, name, _ in entries][:2] == ["1.21 \u00d7", "1.1 \u00d7"]
     _, entries, _ = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 1.0)
     assert [name for _, name, _ in entries] == ["\u2264 1 \u00d7"]
 

@@ -50,6 +50,10 @@ def test_shares_of_draft_angles_are_in_percent():
         "Of the area, 50 % drafts towards the pull, 12.3 % away, 37.7 % is too steep. "
         "1 face, 121 points."
     )
+    small = {"towards": 0.00164, "away": 0.00036, "steep": 0.998}
+    assert map_text.draft_text({"shares": small, **MESH}).startswith(
+        "Of the area, 0.2 % drafts towards the pull, 0 % away, 99.8 % is too steep. "
+    )
     all_steep = {"towards": 0.0, "away": 1e-9, "steep": 1.0}
     assert map_text.draft_text({"shares": all_steep, **MESH}).startswith(
         "Of the area, 0 % drafts towards the pull, 0 % away, 100 % is too steep. "

@@ -273,8 +273,9 @@ SLOPE = numpy.array([(4, 0, 5), (0, 0, 5), (1, 3, 5)], float)
 )
 @pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
 def test_the_area_above_a_limit_is_that_of_the_section(limit, area, order):
-    found = maps.area_above(SLOPE, numpy.array([order]), SLOPE[:, 0], limit)
-    assert found == pytest.approx((area, 6))
+    for shift in (0.0, 7.0, -30.0):
+        found = maps.area_above(SLOPE, numpy.array([order]), SLOPE[:, 0] + shift, limit + shift)
+        assert found == pytest.approx((area, 6))
 
 
 def test_areas_of_all_triangles_that_are_known_are_added():

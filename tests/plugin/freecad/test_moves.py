@@ -19,6 +19,7 @@ def test_colours_go_from_light_grey_over_yellow_to_dark_red():
     assert orange[0] > 240 > orange[1] > orange[2]
     assert red[0] > 220 and red[1] < 100
     assert 100 < dark[0] < 150 and max(dark[1:]) < 50
+    assert moves.colours([0.5], 0.5) == [tuple(channel / 255 for channel in dark)]
     assert moves.colour(-0.5) == stay and moves.colour(1.5) == dark
 
 

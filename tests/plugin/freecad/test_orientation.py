@@ -130,3 +130,9 @@ def test_a_closed_face_with_many_points_decides_nothing():
     assert list(orientation.agreeing(ring, ends, -ring, ends)) == [-1]
     one = numpy.array([(0, 0, 0.12)])
     assert list(orientation.agreeing(one, numpy.array([0, 1]), -one, numpy.array([0, 1]))) == [-1]
+
+
+@pytest.mark.parametrize("product, turned", [(0.6, 1), (-0.6, -1)])
+def test_one_point_is_enough_for_two_faces_to_meet(product, turned):
+    points, normals, first = meeting((0, 1, product), (0, 2, 1.0))
+    assert list(orientation.signs(points, normals, first, range(3))) == [1, turned, 1]

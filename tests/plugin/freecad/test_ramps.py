@@ -241,3 +241,15 @@ def test_a_row_that_does_not_repeat_is_shown_half_a_pixel_inside():
     places = ramps.texture_places(look)
     assert places[:3, 0] * 1024 == pytest.approx([0.5, 512, 1023.5])
     assert places[:, 1].tolist() == [0.25, 0.25, 0.25, 0.75]
+
+
+def test_what_lies_beyond_the_limit_has_the_end_colour():
+    values = numpy.zeros(1000)
+    values[:500], values[500:980] = 0.04, -0.04
+    values[980:990], values[990:] = 9.0, -9.0
+    look = ramps.curvature_look(maps.MEAN, values, numpy.ones(1000), None)
+    assert look.places[[0, 500, 980, 990]] == pytest.approx([1, 0, 1, 0])
+    look = ramps.curvature_look(maps.LARGEST, abs(values), numpy.ones(1000), (0.01, 0.02))
+    assert set(look.places) == {1.0}
+    below = ramps.curvature_look(maps.LARGEST, abs(values), numpy.ones(1000), (10.0, 20.0))
+    assert set(below.places) == {0.0}
