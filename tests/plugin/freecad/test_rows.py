@@ -94,3 +94,28 @@ def test_four_intervals_are_listed_and_of_five_three():
     four = ["0.125 to 0.135", "0.25 to 0.26", "0.375 to 0.385", "0.5 to 0.51"]
     assert told(4) == ", ".join(four)
     assert told(5) == ", ".join(four[:3]) + " and 2 more intervals"
+
+
+def test_the_tool_tip_of_a_seam_with_all_figures():
+    figures = {"gap_mm": 0.25, "angle_deg": 0.5, "curvature_per_mm": 0.125, "curvature_rel": 0.75,
+               "curvature_change_per_mm2": 0.0625, "curvature_change_rel": 0.875}  # fmt: skip
+    given = {name: {"lower": value, "upper": value, "at": 0.5} for name, value in figures.items()}
+    text = rows.detail_text({**seam(7), **given, "certified": True, "note": "a note"}, TOLERANCE)
+    place = ", largest at 0.5 of the edge"
+    assert text.split("\n") == [
+        "Seam 7 (shared)",
+        "Gap: 0.25 mm" + place,
+        "Angle: 0.5\u00b0" + place,
+        "Difference of curvature: 0.125 /mm" + place,
+        "Relative difference of curvature: 75 %" + place,
+        "Difference of the change of curvature: 0.0625 /mm\u00b2" + place,
+        "Relative difference of the change of curvature: 87.5 %" + place,
+        "The verdict is certain: it is the same for every value within the bounds",
+        "a note",
+    ]
+
+
+def test_numbers_stand_to_the_right():
+    assert [column.field for column in rows.COLUMNS if column.numeric] == [
+        "seam", "angle_deg", "gap_mm", "curvature_rel", "curvature_change_rel", "length_mm"
+    ]  # fmt: skip
