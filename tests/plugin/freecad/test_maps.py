@@ -311,11 +311,18 @@ def test_the_other_sense_of_the_normal_is_no_difference(random):
         cross = numpy.array([(0, -z, y), (z, 0, -x), (-y, x, 0)])
         angle = math.radians(4)
         turn = numpy.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+        frame = numpy.linalg.qr(random.normal(size=(3, 3)))[0]
         for sign in (1, -1):
             other = seam_profile.Side(
                 one.points, sign * one.normals @ turn.T, sign * turn @ one.tensors @ turn.T
             )
-            found = seam_profile.profile(one, other, 1e5, 5.0)
+            sides = (
+                seam_profile.Side(
+                    each.points @ frame.T, each.normals @ frame.T, frame @ each.tensors @ frame.T
+                )
+                for each in (one, other)
+            )
+            found = seam_profile.profile(*sides, 1e5, 5.0)
             assert found["angle_deg"] == pytest.approx(4)
             assert found["curvature_per_mm"] == pytest.approx(0, abs=1e-12)
             assert found["curvature_rel"] == pytest.approx(0, abs=1e-12)

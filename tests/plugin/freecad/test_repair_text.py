@@ -257,4 +257,5 @@ def test_the_tool_tip_has_the_seam_before_and_after(done):
     before, after = row.detail.split("\n\n")
     assert before.startswith("Before: Seam 2 (shared)\nGap: \u22650.001 mm, largest at 0.25")
     assert after.startswith("After: Seam 2 (shared)\n") and "Angle: \u22651e-9\u00b0" in after
+    assert [each.split("\n")[-1] for each in (before, after)] == ["The verdict is not certain"] * 2
     assert row.cells[2] == "\u22650.4 \u2192 \u22651e-9" and row.cells[-1] == "repaired"

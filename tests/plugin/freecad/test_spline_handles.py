@@ -163,3 +163,17 @@ def test_the_reach_itself_is_reached():
     assert spline_handles.nearest([(0, 0), (9, 9), (9, 9)], (9, 8), 5) == 2
     lines = numpy.array([[(0, 0), (10, 0)]], float)
     assert spline_handles.nearest_on_lines(lines, (5, 5), 5) == (0, 0, pytest.approx(0.5))
+
+
+@pytest.mark.parametrize("size", [0.01, 1.0, 1e4])
+@pytest.mark.parametrize("place", [(0, 0, 0), (100, -50, 7)])
+def test_handles_go_with_the_size_and_not_with_the_place(size, place):
+    points = numpy.array([(0, 0, 0), (2, 0, 0), (4, 0, -1e-7), (6, 0, 0), (10, 3, 0)], float)
+    found = spline_handles.slides(size * (points + place), False, True)
+    # A straight part points to the left, seen from the side to which the plane looks.
+    assert found.directions[1:3] == pytest.approx(numpy.array([(0, 1, 0)] * 2), abs=1e-5)
+    # At the bend from (2, 0) to (4, 3): across the way (6, 3) from neighbour to neighbour.
+    assert found.directions[3] == pytest.approx([5**-0.5, -2 * 5**-0.5, 0], abs=1e-6)
+    chords = numpy.array([2, 2, 2, 3.5, 5])
+    assert found.rest_mm == pytest.approx(size * numpy.minimum(0.06 * 109**0.5, 0.45 * chords))
+    assert found.scale == pytest.approx(1 / (size * chords))
