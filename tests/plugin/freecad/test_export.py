@@ -42,7 +42,6 @@ def test_what_cannot_be_written_is_told(tmp_path):
         assert error_of("a.csv") == "FOLDER/a.csv: cannot be written: No space left on device."
 
 
-@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
 def test_a_file_has_the_permissions_of_the_one_that_it_replaces_or_of_a_new_one(tmp_path):
     before = os.umask(0o026)
     try:
