@@ -35,6 +35,7 @@ def test_vectors():
 
 def test_defaults_and_checked_values():
     assert options.defaults(TABLE)["tension"] == [0.0]
+    assert not any(option.percent or option.zero or option.used for option in TABLE)
     given = {"tolerance_mm": 2, "kind": "two", "count": 5.0, "closed": 1, "tension": 7}
     assert options.checked(TABLE, given) == {
         "tolerance_mm": 2.0,
