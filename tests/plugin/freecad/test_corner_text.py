@@ -3,6 +3,8 @@
 
 import pytest
 
+from test_plain import TOLERANCE, seam
+
 from freecad.seamwright.plain import corner_text
 
 
@@ -25,3 +27,15 @@ def test_seams_are_named_by_the_faces_that_meet():
 )
 def test_what_waits_is_counted(edges, text):
     assert corner_text.waiting_text(edges) == text
+
+
+def test_seams_of_a_corner_that_was_not_kept_have_no_numbers():
+    found = {"met": False, "shortfall": "it is too far.", "filled_by": "patches",
+             "patches_shortfall": "", "faces": [7], "edges": [],
+             "seams": [{**seam(3), "between": "spoke",
+                        "worst": {"quantity": "gap", "at": 0, "point": [0, 0, 0]}}]}  # fmt: skip
+    made = corner_text.build_report(found, TOLERANCE)
+    assert [(each["edges"], each["faces"], each["worst"]) for each in made["seams"]] == [
+        ([], [], None)
+    ]
+    assert set(made) == set(corner_text.EMPTY_REPORT)

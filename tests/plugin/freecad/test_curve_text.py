@@ -76,16 +76,16 @@ def test_a_spline_goes_through_points_or_near_their_polygon():
 
 
 def test_clothoids_tell_their_sharpest_place():
-    report = {"pieces": 3, "length_mm": 78.34, "distance_mm": 0.01, "least_radius_mm": 12.5}
+    report = {"pieces": 3, "length_mm": 78.34, "distance_mm": 0.0099501, "least_radius_mm": 12.5}
     assert curve_text.clothoid_text(report) == (
-        "3 pieces, 78.3 mm long, smallest radius 12.5 mm, at most 0.01 mm from the input."
+        "3 pieces, 78.3 mm long, smallest radius 12.5 mm, at most 0.00996 mm from the input."
     )
     straight = {**report, "pieces": 1, "least_radius_mm": None, "curves": 1}
     assert curve_text.clothoid_text(straight) == (
-        "1 piece, 78.3 mm long, straight, at most 0.01 mm from the input."
+        "1 piece, 78.3 mm long, straight, at most 0.00996 mm from the input."
     )
     assert curve_text.clothoid_text({**straight, "curves": 2}) == (
-        "1 piece, 78.3 mm long, straight, at most 0.01 mm from the input. There are 2 separate "
+        "1 piece, 78.3 mm long, straight, at most 0.00996 mm from the input. There are 2 separate "
         "curves: edges that do not touch are not joined; Bridge Curve does that."
     )
 

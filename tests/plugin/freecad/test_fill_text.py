@@ -71,3 +71,22 @@ def test_a_hole_is_told_where_it_is():
     assert fill_text.hole_text(one, [one]) == (
         "Hole 1: no corner, length 12.34 mm, centre (0, 1e-08, -2)"
     )
+
+
+def test_seams_of_a_fill_that_was_not_kept_have_no_numbers_and_no_worst_point():
+    one = {**seam(3), "worst": {"quantity": "gap", "at": 0, "point": [1, 2, 3]}}
+    found = {"filled": False, "reached": False, "reason": "it is too far", "reason_code": "",
+             "target": "G1", "faces": [4], "outer": [one], "inner": []}  # fmt: skip
+    entry = fill_text.entry(found, face=2)
+    (kept,) = entry["seams"]
+    assert (kept["edges"], kept["faces"], kept["worst"]) == ([], [], None)
+    assert kept["point"] == [1, 2, 3]
+    assert fill_text.new_faces({"fills": [entry]}) == (set(), None)
+
+
+def test_a_fill_that_was_kept_anyway_needs_no_button():
+    fill = {**missed(bounds(0.5, 0.2)), "filled": True, "reached": False, "hole": 1, "face": None,
+            "reason": "a seam misses."}  # fmt: skip
+    report = {"target": "G1", "tolerance": LIMITS, "fills": [fill]}
+    assert fill_text.reasons(report) == ["Hole 1: a seam misses."]
+    assert "Keep anyway" in fill_text.reasons({**report, "fills": [{**fill, "filled": False}]})[0]

@@ -108,5 +108,21 @@ def test_the_worst_of_several_seams():
         assert found["angle_deg"] == figure(0.4), "of the other seam"
         assert found["gap_mm"] == figure(0.0, 0.002) and found["curvature_rel"] == figure(0.3)
     assert match_text.worst([one, {**two, "certified": True}])["certified"]
+    turned = match_text.worst([{**one, "certified": False}, {**two, "certified": True}])
+    assert turned["id"] == 2 and not turned["certified"], "all have to be certain"
     assert match_text.worst([]) is None
     assert match_text.worst([{**one, "angle_deg": figure(0.0)}])["angle_deg"] == figure(0.0)
+
+
+def test_figures_that_were_not_measured_are_not_told(matched):
+    matched["after"]["curvature_rel"] = None
+    assert match_text.summary(matched) == (
+        "Matched: G1 is met; gap \u22641e-13 mm; angle \u22642.8e-6\u00b0; poles moved by up to "
+        "0.363 mm (exactly, up to rounding)."
+    )
+
+
+def test_a_face_that_has_no_poles_any_more_is_not_told(matched):
+    matched["poles"] = [[[4, 4], None], [[4, 4], [4, 5]]]
+    text = match_text.summary(matched)
+    assert "Left" not in text and "; Right.Face4 has 4 x 5 poles instead of 4 x 4 (" in text

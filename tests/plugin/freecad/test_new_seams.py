@@ -366,3 +366,21 @@ def test_a_lower_bound_at_the_tolerance_is_no_certain_miss():
 def test_a_gap_without_an_upper_bound_is_unknown():
     text = new_seams.largest_text([measured(1, bounded=False)], LIMITS)
     assert text == "1 seam, gap unknown, angle unknown, curvature unknown"
+
+
+def test_a_figure_that_was_not_measured_is_neither_met_nor_missed():
+    one = {**measured(1), "angle_deg": None}
+    assert not new_seams.certainly_meets(one, LIMITS, "G1")
+    assert not new_seams.certainly_misses(one, LIMITS, "G1")
+    assert new_seams.certainly_misses({**one, "gap_mm": {"lower": 1, "upper": 2}}, LIMITS, "G1")
+    text = new_seams.largest_text([{**one, "curvature_rel": None}], LIMITS)
+    assert text == "1 seam, gap at most 1e-6 mm", "no word of what no seam has"
+
+
+def test_the_change_of_curvature_has_the_tolerance_of_curvature():
+    limits = {**LIMITS, "curvature_rel": 0.02}
+    figures = {name: {"lower": 0.0, "upper": 1e-9} for name in limits}
+    for change, met, missed in ((0.019, True, False), (0.021, False, True)):
+        figures["curvature_change_rel"] = {"lower": change, "upper": change}
+        assert new_seams.certainly_meets(figures, limits, "G3") == met
+        assert new_seams.certainly_misses(figures, limits, "G3") == missed

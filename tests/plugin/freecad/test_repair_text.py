@@ -259,3 +259,16 @@ def test_the_tool_tip_has_the_seam_before_and_after(done):
     assert after.startswith("After: Seam 2 (shared)\n") and "Angle: \u22651e-9\u00b0" in after
     assert [each.split("\n")[-1] for each in (before, after)] == ["The verdict is not certain"] * 2
     assert row.cells[2] == "\u22650.4 \u2192 \u22651e-9" and row.cells[-1] == "repaired"
+
+
+def test_without_moves_only_new_curves_are_told(done):
+    done.update(moves=[], edges_led=2)
+    assert repair_text.summary_text(done) == (
+        "1 of 3 seams repaired to G1; 2 edges got new curves on their faces; defects before 3, "
+        "after 2."
+    )
+
+
+def test_an_empty_report_has_the_keys_of_one_that_was_made(done):
+    assert set(repair_text.EMPTY_REPORT) == set(done)
+    assert (repair_text.EMPTY_REPORT["target"], repair_text.EMPTY_REPORT["chosen"]) == ("G1", False)

@@ -109,3 +109,14 @@ def test_a_figure_without_an_upper_bound_makes_the_largest_one_uncertain():
     one, two = seam(1), seam(2)
     one["gap_mm"], two["gap_mm"] = {"lower": 0.5, "upper": 0.5, "at": 0}, figure(0.2)
     assert "largest gap \u22650.5 mm" in summary.summary_text(report(one, two))
+
+
+def test_a_crease_is_no_defect_that_is_as_sharp_as_one():
+    wide = seam(1, "crease", gap=0.5, angle=90.0)
+    assert "as sharp as" not in summary.summary_text(report(wide, seam(2)))
+
+
+def test_a_report_is_judged_by_g1_unless_it_says_another_level():
+    plain = {"seams": [seam(1)], "tolerance": TOLERANCE}
+    assert summary.summary_text(plain).endswith("; G1 is met.")
+    assert summary.tolerance_text(plain).startswith("G1: ")

@@ -146,13 +146,13 @@ def test_one_line_that_has_its_level_is_met_and_several_keep_their_order():
 
 
 def umbrella(**changed):
-    return {"members": 5, "order": "G2", "reached": True, "gap_mm": 1.01e-5, "angle_deg": 0.002,
-            "curvature_rel": 0.0123, "moved_mm": 0.0, "moved_most": 3, "fit_mm": 0.0,
+    return {"members": 5, "order": "G2", "reached": True, "gap_mm": 1.01e-5, "angle_deg": 0.0020001,
+            "curvature_rel": 0.0122901, "moved_mm": 0.0, "moved_most": 3, "fit_mm": 0.0,
             "outer_edges": [], **changed}  # fmt: skip
 
 
 def test_faces_around_a_point_tell_their_figures():
-    text = "5 faces around the point: %s, gap at most 1.1e-5 mm, angle at most 0.002\u00b0%s; "
+    text = "5 faces around the point: %s, gap at most 1.1e-5 mm, angle at most 0.00201\u00b0%s; "
     bent = ", curvature at most 1.23 %"
     assert surface_text.umbrella_summary(umbrella()) == (
         text % ("every seam is G2", bent) + "no edge moved."
@@ -185,8 +185,8 @@ def test_faces_around_a_point_tell_what_moved(changed, followed):
 
 
 def test_a_loft_tells_its_lines_of_joints():
-    found = {"faces": 2, "keys": 4, "distance_mm": 0.001001, "seams": [], "angle_deg": 0.0301,
-             "curvature_rel": 0.125}  # fmt: skip
+    found = {"faces": 2, "keys": 4, "distance_mm": 0.001001, "seams": [], "angle_deg": 0.03001,
+             "curvature_rel": 0.124501}  # fmt: skip
     assert surface_text.loft_summary(found) == "2 faces through 4 curves, within 0.00101 mm."
     assert surface_text.loft_summary({**found, "seams": [MET]}) == (
         "2 faces through 4 curves, within 0.00101 mm; across 1 line of joints: angle at most "
@@ -198,3 +198,16 @@ def test_headings_of_the_table():
     assert [heading for heading, _ in surface_text.COLUMNS] == [
         "Place", "Along", "Gap {unit}", "Angle \u00b0", "Curvature %", "Result"
     ]  # fmt: skip
+
+
+def test_seams_at_sides_have_a_row_each():
+    found = surface_text.build_rows(report(MET, {**MET, "name": "Plate.Edge4"}))
+    assert [row.cells[1] for row in found] == ["Plate.Edge3", "Plate.Edge4"]
+    assert [row.seams for row in found] == [(0,), (1,)]
+
+
+def test_a_surface_that_does_not_fold_says_nothing_of_it():
+    side = {"side": "end", "reason": "no seam was found."}
+    assert surface_text.summary(report(MET, reached=False, sides=[side])).startswith(
+        "Not reached (end, no seam was found): gap"
+    )
