@@ -55,3 +55,14 @@ def test_a_file_has_the_permissions_of_the_one_that_it_replaces_or_of_a_new_one(
         assert os.umask(0o026) == 0o026, "the mask of the program stays"
     finally:
         os.umask(before)
+
+
+def test_the_columns_of_a_table():
+    head = export.csv_text({}).rstrip().split(",")
+    figures = ("gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel",
+               "curvature_change_per_mm2", "curvature_change_rel")  # fmt: skip
+    assert head == [
+        "id", "kind", "class", "level", "edges", "faces", "length_mm",
+        *("%s_%s" % (name, part) for name in figures for part in ("lower", "upper", "at")),
+        "certified", "worst", "worst_at", "worst_x_mm", "worst_y_mm", "worst_z_mm", "note",
+    ]  # fmt: skip

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What fills miss that are not kept: shares of tolerances, their colours and legend."""
 
+import json
 import math
 
 import pytest
@@ -124,3 +125,14 @@ def test_faces_that_meet_at_more_than_five_degrees_are_not_allowed(angle_deg, fo
 
 def test_only_a_gap_may_be_missed():
     assert allowed(fill(0.001, gap_mm=0.5)) == {"gap_mm": 0.5}
+
+
+def test_shares_can_be_stored():
+    for angles in ([0.02, NAN], [NAN, NAN]):
+        found = fill_misses.shares({"gap_mm": [0.0, 0.0], "angle_deg": angles}, LIMITS, "G1")
+        assert json.loads(json.dumps(found)) == found
+
+
+def test_the_footer_of_the_legend_has_the_tolerances_of_the_target():
+    *_, footer = fill_misses.legend({"target": "G2", "tolerance": LIMITS}, 4.0)
+    assert footer == "G2: gap \u2264 0.001 mm, angle \u2264 0.01\u00b0, curvature \u2264 2 %"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pages of the help: where they are, their contents, and the section of each command."""
 
+import ast
 import os
 import pathlib
 import re
@@ -12,6 +13,8 @@ from freecad.seamwright.plain import help_pages
 DOCS = pathlib.Path(
     os.environ.get("SEAMWRIGHT_SOURCE", pathlib.Path(__file__).resolve().parents[3])
 ) / "docs"  # fmt: skip
+
+ADDON = pathlib.Path(help_pages.__file__).parents[1]
 
 PAGES = {
     "workbench.md": "# The `workbench`\n\n## Use\n\n### Deeper\n",
@@ -108,3 +111,19 @@ def test_every_section_exists():
 )  # fmt: skip
 def test_the_first_sentence_of_a_tool_tip(text, first):
     assert help_pages.first_sentence(text) == first
+
+
+def kinds():
+    """The names of the classes in the tables KINDS of the workbench."""
+    for path in (ADDON / "document").glob("*/kinds.py"):
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.Assign) and node.targets[0].id == "KINDS":
+                (loop,) = node.value.generators
+                yield from (each.id for each in loop.iter.elts)
+
+
+def test_every_command_has_its_section():
+    text = (ADDON / "gui" / "commands.py").read_text(encoding="utf-8")
+    commands = re.findall(r'^    name = "Seamwright_(\w+)"$', text, re.M)
+    assert len(commands) == 7
+    assert set(help_pages.SECTIONS) == {*commands, *kinds(), "Help"}

@@ -34,3 +34,10 @@ SENTENCES = {
 @pytest.mark.parametrize("given, expected", SENTENCES.items())
 def test_names_of_arguments_and_radians_are_words(given, expected):
     assert in_words(given, {"length_mm": "Length"}) == expected
+
+
+def test_without_labels_there_are_the_words_for_arguments_without_fields():
+    assert in_words("gap_mm is -1, it turns by 5 degrees and by 1 degree") == (
+        "\u201cgap\u201d is -1, it turns by 5\u00b0 and by 1\u00b0"
+    )
+    assert in_words("length_mm is -1") == "length_mm is -1"

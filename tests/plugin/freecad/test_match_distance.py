@@ -15,6 +15,7 @@ from freecad.seamwright.plain import match_distance
         ((8.9,), 10.0),
         ((9.0,), None),  # cut off at 0.9 of what was tried
         ((0.1,), 0.2), ((0.05,), 0.1), ((0.025,), 0.05), ((0.0251,), 0.1),
+        ((8.0, 0.02, 0.03), 0.1),  # in any order
         ((None, 0.1), 0.2),  # a seam that was not measured
     ],
 )  # fmt: skip

@@ -35,3 +35,5 @@ def test_the_legend_has_a_line_for_each_quarter_and_a_tenth():
     names = [name for _, name, _ in moves.legend_entries(2.0)]
     assert names == ["2 mm", "1.5 mm", "1 mm", "0.5 mm", "0.2 mm", "0 mm"]
     assert len(moves.legend_entries(0.5)) == 6
+    every = [channel for sample, *_ in moves.legend_entries(2.0) for channel in sample.rgb]
+    assert {type(channel) for channel in every} == {int}

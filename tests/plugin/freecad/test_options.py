@@ -44,6 +44,7 @@ def test_defaults_and_checked_values():
         "closed": True,
         "tension": [7.0],
     }
+    assert options.checked(TABLE, {"closed": 1})["closed"] is True
     assert options.checked(TABLE, {"tension": (1, 2)}) == {"tension": [1.0, 2.0]}
 
 
@@ -87,13 +88,13 @@ def test_numbers_are_read(text):
     assert options.parse_numbers(text) == [0.0, 0.0, 50.0]
 
 
-@pytest.mark.parametrize("text", ["", ";", "1; x", "1,5", "nan", "1; inf"])
+@pytest.mark.parametrize("text", ["", ";", " 1; x ", "1,5", "nan", "1; inf"])
 def test_what_is_no_list_of_numbers_is_refused(text):
     with pytest.raises(ValueError) as caught:
         options.parse_numbers(text)
     assert str(caught.value) == (
         "\u201c%s\u201d is not a list of numbers: write them with blanks or semicolons, such as "
-        "0; 0; 50." % text
+        "0; 0; 50." % text.strip()
     )
 
 

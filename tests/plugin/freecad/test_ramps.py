@@ -253,3 +253,10 @@ def test_what_lies_beyond_the_limit_has_the_end_colour():
     assert set(look.places) == {1.0}
     below = ramps.curvature_look(maps.LARGEST, abs(values), numpy.ones(1000), (10.0, 20.0))
     assert set(below.places) == {0.0}
+
+
+def test_the_largest_curvature_is_sequential_in_any_range():
+    look = ramps.curvature_look(maps.LARGEST, numpy.zeros(2), numpy.ones(2), (-1.0, 1.0))
+    assert shown(look)[-1] == pytest.approx((250, 250, 240), abs=1)
+    assert shown(look)[0] == pytest.approx((8, 29, 88), abs=1)
+    assert {type(channel) for rgb in shown(look) for channel in rgb} == {int}
