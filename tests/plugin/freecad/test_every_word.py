@@ -18,7 +18,7 @@ import test_surface_text
 from test_plain import TOLERANCE, figure, seam
 
 from freecad.seamwright.plain import (
-    corner_text, curvature, curve_text, fill_misses, fill_text, language, map_text, maps,
+    corner_text, curvature, curve_text, fill_misses, fill_text, language, lengths, map_text, maps,
     match_text, moves, new_seams, palette, preferences, profiles, ramps, repair_text, rows,
     seam_text, summary, surface_text,
 )  # fmt: skip
@@ -232,6 +232,7 @@ def legend_texts():
         yield from (title, footer)
         for _, name, meaning in entries:
             yield from (name, meaning)
+    yield from (lengths.titled(column.title.replace("{unit}", "")) for column in rows.COLUMNS)
     yield from (profiles.tip(name) for name in profiles.PROFILES)
     yield from (palette.meaning(entry.key, "G1", 5.0) for entry in palette.CLASSES)
     for change in ({"CombLines": 1}, {"CreaseAngle": 0.05}):
