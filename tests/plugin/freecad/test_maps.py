@@ -332,3 +332,31 @@ def test_radii_below_the_flat_one_differ():
     one, other = (cylinder_side(numpy.zeros(1), numpy.zeros(1), r) for r in (0.8e5, 0.9e5))
     found = seam_profile.profile(one, other, 1e5, 5.0)["curvature_rel"]
     assert found == pytest.approx(1 - 0.8 / 0.9)
+
+
+def test_directions_of_lights_need_no_unit_length_and_no_right_angle():
+    """At the angle a of a cylinder about x the height 60 is reached at 60 tan a, 7 apart."""
+    angles = numpy.array([-0.5, 0.3, 1.0])
+    normals = numpy.stack([0 * angles, numpy.sin(angles), numpy.cos(angles)], axis=1)
+    wanted = 60 * numpy.tan(angles) / 7
+    for along, towards in (((3, 0, 0), (0, 0, 5)), ((2, 0, 0), (3, 0, 1)), ((1, 0, 0), (-9, 0, 4))):
+        for sense in (1, -1):
+            found = maps.highlight_positions(normals, sense * normals, along, towards, 60.0, 7.0)
+            assert found * numpy.sign(found[2]) == pytest.approx(wanted), "a line has no sense"
+
+
+def test_a_direction_that_is_none_is_named():
+    said = " = [0, 0, 0]: three numbers are needed, not all zero"
+    none, up = (0, 0, 0), (0, 0, 1)
+    for name, along, towards in (("along", none, up), ("towards", up, none)):
+        with pytest.raises(ValueError) as caught:
+            maps.highlight_positions(DIRECTIONS, DIRECTIONS, along, towards, 60.0, 7.0)
+        assert str(caught.value) == name + said
+    with pytest.raises(ValueError) as caught:
+        maps.isophote_angles_deg(DIRECTIONS, none)
+    assert str(caught.value) == "direction" + said
+
+
+def test_without_finite_values_there_are_no_extremes():
+    found = maps.extremes(numpy.array([math.inf, math.nan]), numpy.zeros((2, 3)))
+    assert found == dict.fromkeys(("least", "largest", "least_at", "largest_at"))
