@@ -119,3 +119,34 @@ def test_numbers_stand_to_the_right():
     assert [column.field for column in rows.COLUMNS if column.numeric] == [
         "seam", "angle_deg", "gap_mm", "curvature_rel", "curvature_change_rel", "length_mm"
     ]  # fmt: skip
+
+
+def test_the_worst_change_of_curvature_is_told_in_percent():
+    change = {"lower": 0.875, "upper": 0.875, "at": 0.5}
+    worst = {"quantity": "curvature_change", "at": 0.5, "point": [0, 0, 0]}
+    one = {**seam(1), "curvature_change_rel": change, "worst": worst}
+    assert rows.worst_label(one, TOLERANCE) == "87.5 %"
+
+
+def test_the_level_of_the_report_decides_which_seam_is_worst():
+    bent, kinked = seam(1, curvature=0.5, angle=0.01), seam(2, curvature=0.001, angle=0.09)
+    assert [row.seam for row in built(bent, kinked)] == [2, 1], "G1 unless it says another level"
+    assert [row.seam for row in built(bent, kinked, level="G2")] == [1, 2]
+
+
+def test_a_figure_without_a_place_has_none():
+    one = {**seam(1), "gap_mm": {"lower": 0.25, "upper": 0.25, "at": None}}
+    assert "Gap: 0.25 mm\n" in rows.detail_text(one, TOLERANCE)
+    del one["gap_mm"]["at"]
+    assert "Gap: 0.25 mm\n" in rows.detail_text(one, TOLERANCE)
+
+
+def test_elements_of_one_object_have_its_name():
+    found = rows.located((each for each in (seam(1), seam(4))), TOLERANCE, "Fill")
+    assert found == {
+        "tolerance": TOLERANCE,
+        "freecad": {
+            "faces": {str(n): ["Fill", "Face%d" % n] for n in (1, 2, 4, 5)},
+            "edges": {str(n): ["Fill", "Edge%d" % n] for n in (1, 4)},
+        },
+    }
