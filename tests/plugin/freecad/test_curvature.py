@@ -132,6 +132,8 @@ def test_the_ramp_has_equal_steps_from_blue_over_white_to_orange():
 def test_the_whole_legend():
     title, entries, footer = curvature.legend(0.02)
     assert title == "Mean curvature"
+    assert {type(channel) for sample, *_ in entries for channel in sample.rgb} == {int}
+    assert entries[3][0].rgb == (254, 214, 161), "a quarter of the way from 0.2 to 0.4: 253.75"
     assert [(name, meaning.split("radius ")[-1]) for _, name, meaning in entries] == [
         ("+0.02 1/mm", "50 mm"), ("+0.015 1/mm", "66.7 mm"), ("+0.01 1/mm", "100 mm"),
         ("+0.005 1/mm", "200 mm"), ("0 1/mm", "flat, or a saddle"),
