@@ -104,12 +104,15 @@ def meeting(*products):
 
 
 @pytest.mark.parametrize("weak", ((0, 1), (1, 2), (0, 2)))
-def test_what_is_least_clear_of_a_contradiction_does_not_count(weak):
-    """Three faces of which each two meet; the pair that is least clear is opposite."""
+@pytest.mark.parametrize("clear", (1.0, -1.0))
+def test_what_is_least_clear_of_a_contradiction_does_not_count(weak, clear):
+    """Three faces of which each two meet; with the pair that is least clear they contradict."""
     pairs = ((0, 1), (1, 2), (0, 2))
-    given = [(*pair, -0.6 if pair == weak else 1.0) for pair in pairs]
+    given = [(*pair, -0.6 if pair == weak else clear) for pair in pairs]
     points, normals, first = meeting(*given)
-    assert list(orientation.signs(points, normals, first, range(3))) == [1, 1, 1]
+    found = list(orientation.signs(points, normals, first, range(3)))
+    middle = ({0, 1, 2} - set(weak)).pop()  # the face of both clear pairs
+    assert found == [clear if face == middle else 1 for face in range(3)]
 
 
 def test_the_part_with_fewer_points_is_turned_although_it_has_more_faces():
