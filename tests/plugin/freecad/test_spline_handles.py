@@ -177,3 +177,15 @@ def test_handles_go_with_the_size_and_not_with_the_place(size, place):
     chords = numpy.array([2, 2, 2, 3.5, 5])
     assert found.rest_mm == pytest.approx(size * numpy.minimum(0.06 * 109**0.5, 0.45 * chords))
     assert found.scale == pytest.approx(1 / (size * chords))
+
+
+@pytest.mark.parametrize("number", range(12))
+def test_handles_of_a_straight_part_lie_to_its_left(number):
+    """Whichever way the polygon turns: its plane looks to the side of its largest coordinate."""
+    random = numpy.random.default_rng(number)
+    points = numpy.concatenate([random.uniform(-9, 9, (4, 2)), numpy.zeros((4, 1))], axis=1)
+    points[2] = (points[1] + points[3]) / 2
+    way = points[3] - points[1]
+    left = numpy.array([-way[1], way[0], 0]) / numpy.linalg.norm(way)
+    found = spline_handles.slides(points, False, True).directions[2]
+    assert found == pytest.approx(left)
