@@ -58,6 +58,8 @@ def test_defaults_and_checked_values():
         ({"tension": [1, math.inf]}, "tension = inf: must be finite"),
         ({"count": 10001}, "count = 10001: at most 10000"),
         ({"tolerance_mm": None}, "tolerance_mm = None is no number"),
+        ({"tolerance_mm": "wide"}, "tolerance_mm = 'wide' is no number"),
+        ({"count": math.inf}, "count = inf: at most 10000"),
     ],
 )
 def test_bad_values_are_named(given, text):

@@ -45,6 +45,9 @@ def test_each_class_and_level_has_a_colour():
 def test_counts_are_whole_and_numbers_finite():
     assert preferences.is_allowed(BY_NAME["CombLines"], 41.0)
     assert not preferences.is_allowed(BY_NAME["CombLines"], 40.5)
+    for value in (math.nan, math.inf, -math.inf):
+        assert preferences.is_allowed(BY_NAME["CombLines"], value) is False
+    assert preferences.is_allowed(BY_NAME["CombLines"], 40.5) is False
     assert preferences.is_allowed(BY_NAME["GapTolerance"], 0.5)
     assert not preferences.is_allowed(BY_NAME["GapTolerance"], math.nan)
     assert not preferences.is_allowed(preferences.Preference("Any", 1.0, "Any"), math.inf)

@@ -86,7 +86,7 @@ def _vector(option, value):
 def _number(option, value):
     try:
         number = float(value)
-    except TypeError:
+    except (TypeError, ValueError):
         raise ValueError(tr("{argument} = {value!r} is no number").format(
             argument=option.argument, value=value
         )) from None

@@ -63,9 +63,11 @@ def is_allowed(preference, value):
     """Return whether a preference can have this value."""
     if isinstance(preference.default, bool):
         return isinstance(value, bool)
+    if not math.isfinite(value):
+        return False
     if isinstance(preference.default, int) and value != int(value):
         return False
-    return math.isfinite(value) and preference.least <= value <= preference.largest
+    return preference.least <= value <= preference.largest
 
 
 def check(values):
