@@ -187,5 +187,7 @@ def test_handles_of_a_straight_part_lie_to_its_left(number):
     points[2] = (points[1] + points[3]) / 2
     way = points[3] - points[1]
     left = numpy.array([-way[1], way[0], 0]) / numpy.linalg.norm(way)
-    found = spline_handles.slides(points, False, True).directions[2]
-    assert found == pytest.approx(left)
+    for shift in range(3):  # planes across z, x and y
+        turned = numpy.roll(points, shift, axis=1)
+        found = spline_handles.slides(turned, False, True).directions[2]
+        assert found == pytest.approx(numpy.roll(left, shift))
