@@ -101,3 +101,49 @@ def test_of_a_plane_the_legend_has_one_line():
     assert curvature.colours(numpy.zeros(2), 0.0) * 255 == pytest.approx(
         numpy.array([sample.rgb] * 2)
     )
+
+
+def test_areas_do_not_depend_on_the_place():
+    points = numpy.array([(7, 1, 2), (9, 1, 2), (7, 4, 2), (7, 4, 9)], float)
+    assert curvature.areas(points, numpy.array([(0, 1, 2)])) == pytest.approx([1, 1, 1, 0])
+
+
+def test_more_than_two_percent_of_the_area_is_not_left_out():
+    for beyond, wanted in ((15, 0.005), (25, 8.0)):
+        values = numpy.full(1000, 0.0045)
+        values[:beyond] = 8.0
+        assert curvature.limit(values, numpy.full(1000, 1e-4)) == pytest.approx(wanted)
+
+
+@pytest.mark.parametrize("radius_mm, limit", [(1e7, 1e-7), (0.84e7, 1.2e-7), (1.01e7, 0)])
+def test_radii_above_ten_kilometres_are_flat(radius_mm, limit):
+    found = curvature.limit(numpy.array([1 / radius_mm, 0.0]), numpy.array([1.0, 1e-9]))
+    assert found == pytest.approx(limit, rel=0.01)
+
+
+def test_the_ramp_has_equal_steps_from_blue_over_white_to_orange():
+    shares, colours = zip(*curvature.RAMP)
+    assert shares == pytest.approx([k / 5 for k in range(-5, 6)])
+    assert all(blue > green > red for red, green, blue in colours[:5])
+    assert all(red > green > blue for red, green, blue in colours[6:])
+    assert len(set(colours[5])) == 1 and colours[5][0] > 240
+
+
+def test_the_whole_legend():
+    title, entries, footer = curvature.legend(0.02)
+    assert title == "Mean curvature"
+    assert {type(channel) for sample, *_ in entries for channel in sample.rgb} == {int}
+    assert entries[3][0].rgb == (254, 214, 161), "a quarter of the way from 0.2 to 0.4: 253.75"
+    assert [(name, meaning.split("radius ")[-1]) for _, name, meaning in entries] == [
+        ("+0.02 1/mm", "50 mm"), ("+0.015 1/mm", "66.7 mm"), ("+0.01 1/mm", "100 mm"),
+        ("+0.005 1/mm", "200 mm"), ("0 1/mm", "flat, or a saddle"),
+        ("\u22120.005 1/mm", "200 mm"), ("\u22120.01 1/mm", "100 mm"),
+        ("\u22120.015 1/mm", "66.7 mm"), ("\u22120.02 1/mm", "50 mm"),
+    ]  # fmt: skip
+    assert footer == (
+        "+ concave, \u2212 convex, seen from the side of the normals\n"
+        "values beyond \u00b10.02 1/mm have the end colours"
+    )
+    assert curvature.legend_footer(0.0) == (
+        "+ concave, \u2212 convex, seen from the side of the normals"
+    )

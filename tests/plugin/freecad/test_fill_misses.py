@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What fills miss that are not kept: shares of tolerances, their colours and legend."""
 
+import json
 import math
 
 import pytest
@@ -77,3 +78,61 @@ def test_the_worst_point_of_a_seam():
         {"points": [[1, 0, 0], [2, 0, 0]], "shares": [12.34, 0.1]},
     ]
     assert fill_misses.worst({"along": along}) == ([1, 0, 0], "12.3 \u00d7")
+
+
+def test_lines_are_those_of_all_seams_that_have_points():
+    points = [[[0, 0, 0]], [[1, 0, 0]], [[2, 0, 0]]]
+    seams = [
+        {"along": [{"points": points[0], "shares": [0.5]}, {"points": points[1], "shares": [2.0]}]},
+        {},
+        {"along": [{"points": points[2], "shares": [3.0]}]},
+    ]
+    found = fill_misses.lines({"fills": [{"seams": seams[:1]}, {"seams": seams[1:]}]})
+    assert found == [(points[0], [0.5]), (points[1], [2.0]), (points[2], [3.0])]
+    assert fill_misses.largest(found) == 3.0
+    assert fill_misses.largest(found[:1]) == 1.0, "the tolerance itself"
+    assert fill_misses.largest([]) == 1.0
+
+
+def test_the_square_root_of_the_largest_share_is_vermillion():
+    yellow, middle, dark = (rgb for _, rgb in fill_misses.RAMP)
+    assert yellow[0] > yellow[1] > 150 > yellow[2]
+    assert middle == (213, 94, 0), "that of the palette of Okabe and Ito"
+    assert 80 < dark[0] < 140 and max(dark[1:]) < 50
+    for most in (49.0, 1.21):
+        (found,) = fill_misses.colours([math.sqrt(most)], most)
+        assert [255 * channel for channel in found] == pytest.approx(middle, abs=1)
+    (found,) = fill_misses.colours([1.0 + 1e-12], 1.0)
+    assert [255 * channel for channel in found] == pytest.approx(yellow, abs=1)
+
+
+def test_the_words_of_the_legend():
+    title, entries, _ = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 49.0)
+    assert title == "Fill that is not kept"
+    assert [meaning for *_, meaning in entries] == ["the tolerance", "", "within the tolerances"]
+    assert entries[1][0].rgb == pytest.approx((213, 94, 0), abs=1)
+    assert entries[2][0].rgb == (0, 158, 115)
+    _, entries, _ = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 1.21)
+    assert [name for _, name, _ in entries][:2] == ["1.21 \u00d7", "1.1 \u00d7"]
+    _, entries, _ = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 1.0)
+    assert [name for _, name, _ in entries] == ["\u2264 1 \u00d7"]
+
+
+@pytest.mark.parametrize("angle_deg, found", ((5.0, {"angle_deg": 5.0}), (5.01, {}), (0.01, {})))
+def test_faces_that_meet_at_more_than_five_degrees_are_not_allowed(angle_deg, found):
+    assert allowed(fill(angle_deg)) == found
+
+
+def test_only_a_gap_may_be_missed():
+    assert allowed(fill(0.001, gap_mm=0.5)) == {"gap_mm": 0.5}
+
+
+def test_shares_can_be_stored():
+    for angles in ([0.02, NAN], [NAN, NAN]):
+        found = fill_misses.shares({"gap_mm": [0.0, 0.0], "angle_deg": angles}, LIMITS, "G1")
+        assert json.loads(json.dumps(found)) == found
+
+
+def test_the_footer_of_the_legend_has_the_tolerances_of_the_target():
+    *_, footer = fill_misses.legend({"target": "G2", "tolerance": LIMITS}, 4.0)
+    assert footer == "G2: gap \u2264 0.001 mm, angle \u2264 0.01\u00b0, curvature \u2264 2 %"

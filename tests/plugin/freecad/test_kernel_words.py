@@ -21,6 +21,11 @@ SENTENCES = {
         "the tangent is 90\u00b0 out of the plane: at most 1\u00b0 is allowed",
     "planes differ by angle_rad = 0.349 (20 degrees): no surface has bounded curvature there":
         "planes differ by 20\u00b0: no surface has bounded curvature there",
+    "tangents differ by angle_rad = 0.1 there": "tangents differ by 5.73\u00b0 there",
+    "gap_mm is -1: it must be positive": "\u201cgap\u201d is -1: it must be positive",
+    "flat_rad is 0: it must be positive":
+        "\u201ctangents in one plane within\u201d is 0: it must be positive",
+    "size_mm is -1: it must be positive": "size_mm is -1: it must be positive",
     "length_mm is -1: it must be positive": "\u201cLength\u201d is -1: it must be positive",
     "a point moves 0.3 mm: at most 0.1 is allowed": "a point moves 0.3 mm: at most 0.1 is allowed",
 }  # fmt: skip
@@ -29,3 +34,10 @@ SENTENCES = {
 @pytest.mark.parametrize("given, expected", SENTENCES.items())
 def test_names_of_arguments_and_radians_are_words(given, expected):
     assert in_words(given, {"length_mm": "Length"}) == expected
+
+
+def test_without_labels_there_are_the_words_for_arguments_without_fields():
+    assert in_words("gap_mm is -1, it turns by 5 degrees and by 1 degree") == (
+        "\u201cgap\u201d is -1, it turns by 5\u00b0 and by 1\u00b0"
+    )
+    assert in_words("length_mm is -1") == "length_mm is -1"

@@ -241,3 +241,122 @@ def test_bounds_say_whether_they_are_proven():
     assert "not measured" in seam_text.bound_line(seen, "curvature_rel")
     bent = seam(curvature_rel={"lower": 0.12, "upper": 0.15, "at": 0.5})
     assert seam_text.bound_line(bent, "curvature_rel").endswith("is 12..15 %, proven.")
+
+
+def test_quantities_and_their_units():
+    assert maps.UNITS == {
+        "Mean": "1/mm", "Gaussian": "1/mm\u00b2", "Largest": "1/mm", "Smallest radius": "mm"
+    }  # fmt: skip
+    assert list(maps.UNITS) == list(maps.QUANTITIES)
+
+
+def test_normals_that_are_a_little_too_long_have_angles():
+    normals = numpy.array([(0, 0, 1), (0, 0, -1)]) * (1 + 1e-15)
+    assert maps.draft_angles_deg(normals, (0, 0, 1)) == pytest.approx([90, -90])
+    assert maps.isophote_angles_deg(normals, (0, 0, 1)) == pytest.approx([0, 180])
+
+
+def test_a_normal_almost_along_the_lights_has_no_highlight():
+    normals = numpy.array([(0, 1, 1e-12), (0, 0.6, 0.8)])
+    found = maps.highlight_positions(numpy.zeros((2, 3)), normals, (1, 0, 0), (0, 0, 1), 8.0, 3.0)
+    assert math.isnan(found[0]) and abs(found[1]) == pytest.approx(2), "6 mm beside, of 3"
+
+
+#: A triangle with x from 0 over 1 to 4; the apex at x = 1 is 3 high: its section at x is 3 x up to
+#: there and 4 - x beyond.
+SLOPE = numpy.array([(4, 0, 5), (0, 0, 5), (1, 3, 5)], float)
+
+
+@pytest.mark.parametrize(
+    "limit, area",
+    [(-1, 6), (0, 6), (0.5, 6 - 0.375), (1, 4.5), (2, 2), (3, 0.5), (4, 0), (5, 0)],
+)
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
+def test_the_area_above_a_limit_is_that_of_the_section(limit, area, order):
+    for shift in (0.0, 7.0, -30.0):
+        found = maps.area_above(SLOPE, numpy.array([order]), SLOPE[:, 0] + shift, limit + shift)
+        assert found == pytest.approx((area, 6))
+
+
+def test_areas_of_all_triangles_that_are_known_are_added():
+    points = numpy.concatenate([SLOPE, [(4, 0, 8), (0, 1, 5)]])
+    values = numpy.array([4, 0, 1, math.nan, 0.0])
+    triangles = numpy.array([(0, 1, 2), (1, 2, 4), (0, 2, 3)])
+    # the second has the base 1 at x = 0 and the height 1: 0.25 of its 0.5 lie beyond x = 0.5
+    assert maps.area_above(points, triangles, values, 0.5) == pytest.approx((5.625 + 0.125, 6.5))
+    level = numpy.full(3, 2.0)
+    for limit, area in ((1.9, 6), (2.0, 6), (2.1, 0)):
+        assert maps.area_above(SLOPE, numpy.array([(0, 1, 2)]), level, limit) == pytest.approx(
+            (area, 6)
+        )
+
+
+def test_a_surface_that_twists_has_a_mixed_curvature():
+    """z = x y at the origin, its parameters a tenth as large: nothing along x and y, 1 across."""
+    row = [numpy.array([each], float) for each in ((0.1, 0, 0), (0, 0.1, 0))]
+    still = numpy.zeros((1, 3))
+    found = seam_profile.side(still, row, (still, numpy.array([(0, 0, 0.01)]), still))
+    assert found.normals == pytest.approx(numpy.array([(0, 0, 1)]))
+    assert found.tensors[0] == pytest.approx(numpy.array([(0, 1, 0), (1, 0, 0), (0, 0, 0)]))
+    still = seam_profile.side(still, (row[0], row[0]), (still, still, still))
+    assert numpy.isnan(still.normals).all() and numpy.isnan(still.tensors).all()
+
+
+def test_the_other_sense_of_the_normal_is_no_difference(random):
+    """Also where the sides meet at an angle, about any axis along the seam or across it."""
+    one = cylinder_side(numpy.zeros(1), numpy.zeros(1), 10.0)
+    for axis in random.normal(size=(6, 3)):
+        axis[0] = 0  # across the normal (1, 0, 0), so that the angle is that of the turn
+        x, y, z = axis / numpy.linalg.norm(axis)
+        cross = numpy.array([(0, -z, y), (z, 0, -x), (-y, x, 0)])
+        angle = math.radians(4)
+        turn = numpy.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
+        frame = numpy.linalg.qr(random.normal(size=(3, 3)))[0]
+        for sign in (1, -1):
+            other = seam_profile.Side(
+                one.points, sign * one.normals @ turn.T, sign * turn @ one.tensors @ turn.T
+            )
+            sides = (
+                seam_profile.Side(
+                    each.points @ frame.T, each.normals @ frame.T, frame @ each.tensors @ frame.T
+                )
+                for each in (one, other)
+            )
+            found = seam_profile.profile(*sides, 1e5, 5.0)
+            assert found["angle_deg"] == pytest.approx(4)
+            assert found["curvature_per_mm"] == pytest.approx(0, abs=1e-12)
+            assert found["curvature_rel"] == pytest.approx(0, abs=1e-12)
+
+
+def test_radii_below_the_flat_one_differ():
+    one, other = (cylinder_side(numpy.zeros(1), numpy.zeros(1), r) for r in (0.8e5, 0.9e5))
+    found = seam_profile.profile(one, other, 1e5, 5.0)["curvature_rel"]
+    assert found == pytest.approx(1 - 0.8 / 0.9)
+
+
+def test_directions_of_lights_need_no_unit_length_and_no_right_angle():
+    """At the angle a of a cylinder about x the height 60 is reached at 60 tan a, 7 apart."""
+    angles = numpy.array([-0.5, 0.3, 1.0])
+    normals = numpy.stack([0 * angles, numpy.sin(angles), numpy.cos(angles)], axis=1)
+    wanted = 60 * numpy.tan(angles) / 7
+    for along, towards in (((3, 0, 0), (0, 0, 5)), ((2, 0, 0), (3, 0, 1)), ((1, 0, 0), (-9, 0, 4))):
+        for sense in (1, -1):
+            found = maps.highlight_positions(normals, sense * normals, along, towards, 60.0, 7.0)
+            assert found * numpy.sign(found[2]) == pytest.approx(wanted), "a line has no sense"
+
+
+def test_a_direction_that_is_none_is_named():
+    said = " = [0, 0, 0]: three numbers are needed, not all zero"
+    none, up = (0, 0, 0), (0, 0, 1)
+    for name, along, towards in (("along", none, up), ("towards", up, none)):
+        with pytest.raises(ValueError) as caught:
+            maps.highlight_positions(DIRECTIONS, DIRECTIONS, along, towards, 60.0, 7.0)
+        assert str(caught.value) == name + said
+    with pytest.raises(ValueError) as caught:
+        maps.isophote_angles_deg(DIRECTIONS, none)
+    assert str(caught.value) == "direction" + said
+
+
+def test_without_finite_values_there_are_no_extremes():
+    found = maps.extremes(numpy.array([math.inf, math.nan]), numpy.zeros((2, 3)))
+    assert found == dict.fromkeys(("least", "largest", "least_at", "largest_at"))

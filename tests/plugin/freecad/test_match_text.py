@@ -74,3 +74,55 @@ def test_a_figure_of_no_seam_counts_as_nothing(matched):
     assert match_text.value(matched["before"], "angle_deg") == 3.0686
     assert match_text.value(matched["before"], "curvature_rel") == 0.0
     assert match_text.value(None, "angle_deg") == 0.0
+
+
+def test_an_empty_report_has_no_match(matched):
+    empty = {**match_text.EMPTY_REPORT, "reason": "There is one face.", "tolerance": TOLERANCE}
+    assert match_text.summary(empty) == "Not matched: There is one face."
+    assert {line[1:] for line in match_text.table(empty)} == {("\u2013", "\u2013")}
+    assert (empty["exact"], empty["largest_move_mm"]) == (False, 0)
+
+
+def test_what_helps_is_told_where_a_match_would_be_less_fair():
+    assert match_text.advised("it bends more.", "less_fair") == (
+        "it bends more: allow a change over a larger Depth, or a larger Fairness"
+    )
+    assert match_text.advised("it bends more.", "too_far") == "it bends more."
+
+
+def test_a_face_that_joins_several_is_told():
+    assert match_text.chain_reason(["A.Face1", "B.Face2", "C.Face3"], 12.345) == (
+        "A.Face1 joins B.Face2, C.Face3 to the tolerance; the shape changes up to 12.3 mm away "
+        "from the seam"
+    )
+
+
+def test_the_worst_of_several_seams():
+    one = {**seam(1, gap=0.001, angle=0.4, curvature=None), "level": "G2", "certified": True}
+    two = {**seam(2, gap=0.005, angle=0.1, curvature=0.3), "level": "G0", "certified": False}
+    two["angle_deg"] = figure(0.1, 0.39)
+    two["gap_mm"] = figure(0.0, 0.002)
+    for seams in ([one, two], [two, one]):
+        found = match_text.worst(seams)
+        assert (found["id"], found["level"], found["certified"]) == (2, "G0", False)
+        assert found["angle_deg"] == figure(0.4), "of the other seam"
+        assert found["gap_mm"] == figure(0.0, 0.002) and found["curvature_rel"] == figure(0.3)
+    assert match_text.worst([one, {**two, "certified": True}])["certified"]
+    turned = match_text.worst([{**one, "certified": False}, {**two, "certified": True}])
+    assert turned["id"] == 2 and not turned["certified"], "all have to be certain"
+    assert match_text.worst([]) is None
+    assert match_text.worst([{**one, "angle_deg": figure(0.0)}])["angle_deg"] == figure(0.0)
+
+
+def test_figures_that_were_not_measured_are_not_told(matched):
+    matched["after"]["curvature_rel"] = None
+    assert match_text.summary(matched) == (
+        "Matched: G1 is met; gap \u22641e-13 mm; angle \u22642.8e-6\u00b0; poles moved by up to "
+        "0.363 mm (exactly, up to rounding)."
+    )
+
+
+def test_a_face_that_has_no_poles_any_more_is_not_told(matched):
+    matched["poles"] = [[[4, 4], None], [[4, 4], [4, 5]]]
+    text = match_text.summary(matched)
+    assert "Left" not in text and "; Right.Face4 has 4 x 5 poles instead of 4 x 4 (" in text

@@ -343,3 +343,44 @@ def test_numbers_by_edge():
             match="Radii has %s for the 3 edges of the corner .Edge4, Edge1, Edge9" % text,
         ):
             corner_text.by_edge(numbers, [4, 1, 9], "Radii")
+
+
+def test_cells_of_a_seam_inside_a_fill_and_its_headings():
+    figures = {name: {"lower": 1e-6, "upper": 1e-6, "at": 0} for name in ("angle_deg", "gap_mm")}
+    inside = {**measured(3, between="the fill itself"), **figures}
+    (row,) = new_seams.build_rows([inside], LIMITS, "G1")
+    assert dict(zip((heading for heading, _ in new_seams.COLUMNS), row.cells)) == {
+        "Edge": "Edge3", "Between": "the fill itself", "Angle \u00b0": "1e-6",
+        "Gap {unit}": "1e-6", "Curvature %": "\u226550", "Result": "meets G1",
+    }  # fmt: skip
+    (row,) = new_seams.build_rows([measured(3, between="fill, Face12")], LIMITS, "G1")
+    assert row.cells[1] == "fill, Face12"
+
+
+def test_a_lower_bound_at_the_tolerance_is_no_certain_miss():
+    for factor, missed in ((1, False), (1 + 1e-12, True)):
+        one = {**measured(1), "angle_deg": {"lower": 0.01 * factor, "upper": 0.02, "at": 0}}
+        assert new_seams.certainly_misses(one, LIMITS, "G1") == missed
+
+
+def test_a_gap_without_an_upper_bound_is_unknown():
+    text = new_seams.largest_text([measured(1, bounded=False)], LIMITS)
+    assert text == "1 seam, gap unknown, angle unknown, curvature unknown"
+
+
+def test_a_figure_that_was_not_measured_is_neither_met_nor_missed():
+    one = {**measured(1), "angle_deg": None}
+    assert not new_seams.certainly_meets(one, LIMITS, "G1")
+    assert not new_seams.certainly_misses(one, LIMITS, "G1")
+    assert new_seams.certainly_misses({**one, "gap_mm": {"lower": 1, "upper": 2}}, LIMITS, "G1")
+    text = new_seams.largest_text([{**one, "curvature_rel": None}], LIMITS)
+    assert text == "1 seam, gap at most 1e-6 mm", "no word of what no seam has"
+
+
+def test_the_change_of_curvature_has_the_tolerance_of_curvature():
+    limits = {**LIMITS, "curvature_rel": 0.02}
+    figures = {name: {"lower": 0.0, "upper": 1e-9} for name in limits}
+    for change, met, missed in ((0.019, True, False), (0.021, False, True)):
+        figures["curvature_change_rel"] = {"lower": change, "upper": change}
+        assert new_seams.certainly_meets(figures, limits, "G3") == met
+        assert new_seams.certainly_misses(figures, limits, "G3") == missed

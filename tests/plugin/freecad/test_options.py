@@ -35,6 +35,7 @@ def test_vectors():
 
 def test_defaults_and_checked_values():
     assert options.defaults(TABLE)["tension"] == [0.0]
+    assert not any(option.percent or option.zero or option.used for option in TABLE)
     given = {"tolerance_mm": 2, "kind": "two", "count": 5.0, "closed": 1, "tension": 7}
     assert options.checked(TABLE, given) == {
         "tolerance_mm": 2.0,
@@ -43,6 +44,7 @@ def test_defaults_and_checked_values():
         "closed": True,
         "tension": [7.0],
     }
+    assert options.checked(TABLE, {"closed": 1})["closed"] is True
     assert options.checked(TABLE, {"tension": (1, 2)}) == {"tension": [1.0, 2.0]}
 
 
@@ -54,12 +56,28 @@ def test_defaults_and_checked_values():
         ({"kind": "three"}, "kind 'three': choose one of one, two"),
         ({"count": 0}, "count = 0: at least 1"),
         ({"tension": [1, math.inf]}, "tension = inf: must be finite"),
+        ({"count": 10001}, "count = 10001: at most 10000"),
+        ({"tolerance_mm": None}, "tolerance_mm = None is no number"),
+        ({"tolerance_mm": "wide"}, "tolerance_mm = 'wide' is no number"),
+        ({"count": math.inf}, "count = inf: at most 10000"),
     ],
 )
 def test_bad_values_are_named(given, text):
     with pytest.raises(ValueError) as caught:
         options.checked(TABLE, given)
     assert str(caught.value) == text
+
+
+def test_the_ends_of_a_range_are_allowed():
+    given = {"tolerance_mm": 0, "count": 10000}
+    assert options.checked(TABLE, given) == given
+    assert options.checked(TABLE, {"count": 1}) == {"count": 1}
+
+
+def test_counts_are_whole_and_other_numbers_are_not():
+    found = options.checked(TABLE, {"tolerance_mm": 0.25, "count": 4.0})
+    assert found == {"tolerance_mm": 0.25, "count": 4}
+    assert isinstance(found["count"], int) and isinstance(found["tolerance_mm"], float)
 
 
 def test_unknown_options_are_named():
@@ -72,10 +90,14 @@ def test_numbers_are_read(text):
     assert options.parse_numbers(text) == [0.0, 0.0, 50.0]
 
 
-@pytest.mark.parametrize("text", ["", ";", "1; x", "1,5", "nan", "1; inf"])
+@pytest.mark.parametrize("text", ["", ";", " 1; x ", "1,5", "nan", "1; inf"])
 def test_what_is_no_list_of_numbers_is_refused(text):
-    with pytest.raises(ValueError, match="is not a list of numbers"):
+    with pytest.raises(ValueError) as caught:
         options.parse_numbers(text)
+    assert str(caught.value) == (
+        "\u201c%s\u201d is not a list of numbers: write them with blanks or semicolons, such as "
+        "0; 0; 50." % text.strip()
+    )
 
 
 def test_numbers_are_written_as_they_are_read():

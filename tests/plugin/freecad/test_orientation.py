@@ -72,3 +72,70 @@ def test_the_same_faces_agree_with_another_model():
     round_about = numpy.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0)], float)
     ends = numpy.array([0, 4])
     assert list(orientation.agreeing(round_about, ends, -round_about, ends)) == [1]
+
+
+def test_two_faces_that_meet_at_less_than_sixty_degrees_are_turned():
+    """The cosine of the angle between their normals decides from one half on."""
+    for angle, found in ((0, [1, -1]), (50, [1, -1]), (58, [1, -1]), (62, [1, 1])):
+        points, normals, first = strip((1, -1), [0, angle])
+        points, normals, first = points[:-5], normals[:-5], first - [0, 0, 5]
+        assert list(orientation.signs(points, normals, first, range(2))) == found, angle
+
+
+@pytest.mark.parametrize("size", (1e-3, 1.0, 1e5))
+def test_points_are_equal_up_to_a_part_of_the_size(size):
+    points, normals, first = strip((1, -1), [0, 0])
+    moved = numpy.concatenate([points[:25], points[25:] + (1e-6, 1e-6, 1e-6)])
+    assert list(orientation.signs(size * moved, normals, first, range(2))).count(-1) == 1
+    apart = numpy.concatenate([points[:25], points[25:] + (1e-3, 0, 0)])
+    assert list(orientation.signs(size * apart, normals, first, range(2))) == [1, 1]
+
+
+def meeting(*products):
+    """Faces of one point each: the points of a pair are equal, and their normals have a product."""
+    points, normals, owners = [], [], []
+    for place, (one, other, product) in enumerate(products):
+        points += [(place, place % 2, 0)] * 2
+        normals += [(0, 0, 1), (0, (1 - product**2) ** 0.5, product)]
+        owners += [one, other]
+    order = numpy.argsort(owners, kind="stable")
+    first = numpy.concatenate([[0], numpy.cumsum(numpy.bincount(owners))])
+    return numpy.array(points, float)[order], numpy.array(normals, float)[order], first
+
+
+@pytest.mark.parametrize("weak", ((0, 1), (1, 2), (0, 2)))
+@pytest.mark.parametrize("clear", (1.0, -1.0))
+def test_what_is_least_clear_of_a_contradiction_does_not_count(weak, clear):
+    """Three faces of which each two meet; with the pair that is least clear they contradict."""
+    pairs = ((0, 1), (1, 2), (0, 2))
+    given = [(*pair, -0.6 if pair == weak else clear) for pair in pairs]
+    points, normals, first = meeting(*given)
+    found = list(orientation.signs(points, normals, first, range(3)))
+    middle = ({0, 1, 2} - set(weak)).pop()  # the face of both clear pairs
+    assert found == [clear if face == middle else 1 for face in range(3)]
+
+
+def test_the_part_with_fewer_points_is_turned_although_it_has_more_faces():
+    large, other, ends = strip((1,), [0], count=9)
+    small, normals, first = strip((1, 1, 1), [0, 0, 0], count=3)
+    points = numpy.concatenate([large - (1, 0, 0), small])
+    normals = numpy.concatenate([other, -normals])
+    ends = numpy.concatenate([ends, ends[-1] + first[1:]])
+    assert list(orientation.signs(points, normals, ends, range(4))) == [1, -1, -1, -1]
+
+
+def test_a_closed_face_with_many_points_decides_nothing():
+    at = numpy.linspace(0, 2 * numpy.pi, 1000, endpoint=False)
+    ring = numpy.stack([numpy.cos(at), numpy.sin(at), 0 * at + 0.05], axis=1)
+    ends = numpy.array([0, 1000])
+    assert list(orientation.agreeing(ring, ends, -ring, ends)) == [1], "mean normals of 0.05"
+    ring[:, 2] = 0.2
+    assert list(orientation.agreeing(ring, ends, -ring, ends)) == [-1]
+    one = numpy.array([(0, 0, 0.12)])
+    assert list(orientation.agreeing(one, numpy.array([0, 1]), -one, numpy.array([0, 1]))) == [-1]
+
+
+@pytest.mark.parametrize("product, turned", [(0.6, 1), (-0.6, -1)])
+def test_one_point_is_enough_for_two_faces_to_meet(product, turned):
+    points, normals, first = meeting((0, 1, product), (0, 2, 1.0))
+    assert list(orientation.signs(points, normals, first, range(3))) == [1, turned, 1]

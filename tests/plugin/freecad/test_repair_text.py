@@ -226,3 +226,49 @@ def test_the_footer_counts_faces():
     found = [{"face": 1, "largest_move_mm": 0.02}, {"face": 4, "largest_move_mm": 0.3}]
     assert moves.legend_footer(found, 6) == "2 of 6 faces moved, poles by up to 0.3 mm"
     assert moves.legend_footer([], 6) == "no face moved"
+
+
+def test_headings_of_the_table():
+    assert [heading for heading, _ in repair_text.COLUMNS] == [
+        "Edge", "Faces", "Angle \u00b0", "Gap {unit}", "Curvature %", "Result"
+    ]  # fmt: skip
+    assert repair_text.COLUMNS[repair_text.CURVATURE_COLUMN][0] == "Curvature %"
+
+
+def test_an_empty_report_has_nothing_to_repair():
+    assert repair_text.summary_text(repair_text.EMPTY_REPORT) == (
+        "Nothing to repair: no two faces share an edge, and none are matched."
+    )
+    assert repair_text.largest_move_mm(repair_text.EMPTY_REPORT) == 0
+    assert not repair_text.is_done(repair_text.EMPTY_REPORT)
+
+
+def test_what_waits_is_not_repaired_yet(done):
+    before = analysis(seam(1), seam(2, "defect", angle=0.4))
+    seams = repair_text.waiting(before, "G1", set())
+    report = repair_text.build_report(before, None, seams, [], "G1", False)
+    assert repair_text.repaired_count(report) == 0
+    assert [row.cells[-1] for row in repair_text.build_rows(report)] == [""]
+    assert repair_text.summary_text(report) == "1 seam to repair to G1."
+
+
+def test_the_tool_tip_has_the_seam_before_and_after(done):
+    row = next(row for row in repair_text.build_rows(done) if row.state == repair_text.REPAIRED)
+    before, after = row.detail.split("\n\n")
+    assert before.startswith("Before: Seam 2 (shared)\nGap: \u22650.001 mm, largest at 0.25")
+    assert after.startswith("After: Seam 2 (shared)\n") and "Angle: \u22651e-9\u00b0" in after
+    assert [each.split("\n")[-1] for each in (before, after)] == ["The verdict is not certain"] * 2
+    assert row.cells[2] == "\u22650.4 \u2192 \u22651e-9" and row.cells[-1] == "repaired"
+
+
+def test_without_moves_only_new_curves_are_told(done):
+    done.update(moves=[], edges_led=2)
+    assert repair_text.summary_text(done) == (
+        "1 of 3 seams repaired to G1; 2 edges got new curves on their faces; defects before 3, "
+        "after 2."
+    )
+
+
+def test_an_empty_report_has_the_keys_of_one_that_was_made(done):
+    assert set(repair_text.EMPTY_REPORT) == set(done)
+    assert (repair_text.EMPTY_REPORT["target"], repair_text.EMPTY_REPORT["chosen"]) == ("G1", False)

@@ -132,3 +132,82 @@ def test_a_blend_that_folds_says_so_although_its_seams_have_their_level():
         "Every seam has its level, but the surface folds over 17.2 mm from the start; less "
         "tension may help: gap"
     )
+
+
+def test_one_line_that_has_its_level_is_met_and_several_keep_their_order():
+    inside = {"kind": surface_text.LINE, "side": "inside"}
+    (row,) = surface_text.build_rows(report({**MET, **inside, "name": "7"}))
+    assert (row.met, row.seams, row.cells[1]) == (True, (0,), "line 7")
+    lines = [{**MET, **inside, "name": str(place)} for place in (1, 2)]
+    lines[1].update(side="outside", target="G0")
+    (row,) = surface_text.build_rows(report(*lines))
+    assert (row.cells[0], row.cells[-1]) == ("inside", "G2 is met"), "those of the first line"
+    assert row.detail == "Lines inside the surface at which the curves have their joints"
+
+
+def umbrella(**changed):
+    return {"members": 5, "order": "G2", "reached": True, "gap_mm": 1.01e-5, "angle_deg": 0.0020001,
+            "curvature_rel": 0.0122901, "moved_mm": 0.0, "moved_most": 3, "fit_mm": 0.0,
+            "outer_edges": [], **changed}  # fmt: skip
+
+
+def test_faces_around_a_point_tell_their_figures():
+    text = "5 faces around the point: %s, gap at most 1.1e-5 mm, angle at most 0.00201\u00b0%s; "
+    bent = ", curvature at most 1.23 %"
+    assert surface_text.umbrella_summary(umbrella()) == (
+        text % ("every seam is G2", bent) + "no edge moved."
+    )
+    assert surface_text.umbrella_summary(umbrella(order="G1")) == (
+        text % ("every seam is G1", "") + "no edge moved."
+    )
+    assert surface_text.umbrella_summary(umbrella(reached=False)).startswith(
+        text % ("not every seam is certainly G2", bent)
+    )
+
+
+@pytest.mark.parametrize(
+    "changed, followed",
+    [
+        ({"moved_mm": 9e-10}, "no edge moved."),
+        ({"moved_mm": 0.01201}, "edges moved by at most 0.0121 mm, edge 3 most."),
+        ({"fit_mm": 1e-4}, "no edge moved, curves within 1e-4 mm of them."),
+        ({"outer_edges": [1]}, "no edge moved; the outer boundary stays."),
+        (
+            {"moved_mm": 2.0, "fit_mm": 0.5, "outer_edges": [1]},
+            "edges moved by at most 2 mm, edge 3 most, curves within 0.5 mm of them; the outer "
+            "boundary stays.",
+        ),
+    ],
+)
+def test_faces_around_a_point_tell_what_moved(changed, followed):
+    text = surface_text.umbrella_summary(umbrella(**changed))
+    assert text.split("curvature at most 1.23 %; ")[1] == followed
+
+
+def test_a_loft_tells_its_lines_of_joints():
+    found = {"faces": 2, "keys": 4, "distance_mm": 0.001001, "seams": [], "angle_deg": 0.03001,
+             "curvature_rel": 0.124501}  # fmt: skip
+    assert surface_text.loft_summary(found) == "2 faces through 4 curves, within 0.00101 mm."
+    assert surface_text.loft_summary({**found, "seams": [MET]}) == (
+        "2 faces through 4 curves, within 0.00101 mm; across 1 line of joints: angle at most "
+        "0.0301\u00b0, curvature at most 12.5 %."
+    )
+
+
+def test_headings_of_the_table():
+    assert [heading for heading, _ in surface_text.COLUMNS] == [
+        "Place", "Along", "Gap {unit}", "Angle \u00b0", "Curvature %", "Result"
+    ]  # fmt: skip
+
+
+def test_seams_at_sides_have_a_row_each():
+    found = surface_text.build_rows(report(MET, {**MET, "name": "Plate.Edge4"}))
+    assert [row.cells[1] for row in found] == ["Plate.Edge3", "Plate.Edge4"]
+    assert [row.seams for row in found] == [(0,), (1,)]
+
+
+def test_a_surface_that_does_not_fold_says_nothing_of_it():
+    side = {"side": "end", "reason": "no seam was found."}
+    assert surface_text.summary(report(MET, reached=False, sides=[side])).startswith(
+        "Not reached (end, no seam was found): gap"
+    )

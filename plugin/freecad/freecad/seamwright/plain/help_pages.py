@@ -99,8 +99,8 @@ def contents():
         with open(os.path.join(pages, name), encoding="utf-8") as file:
             text = re.sub(r"^```.*?^```", "", file.read(), flags=re.M | re.S)
         title, *_ = [*re.findall(r"^# (.+)$", text, re.M), name]
-        sections = re.findall(r"^## (.+)$", text, re.M)
-        found.append((name, plain(title), [(plain(each), anchor(each)) for each in sections]))
+        sections = [plain(each) for each in re.findall(r"^## (.+)$", text, re.M)]
+        found.append((name, plain(title), [(each, anchor(each)) for each in sections]))
     first = {name: place for place, name in enumerate(FIRST)}
     return sorted(found, key=lambda entry: (first.get(entry[0], len(first)), entry[1].lower()))
 

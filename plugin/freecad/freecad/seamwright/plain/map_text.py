@@ -11,8 +11,6 @@ def _at(point):
 
 
 def _range(report, unit):
-    if report["undefined"]:
-        return tr("No value is defined")
     least, largest = figure(report["least"]), figure(report["largest"])
     if least == largest:
         return tr("{least} {unit} everywhere").format(least=least, unit=unit)
@@ -32,7 +30,9 @@ def _mesh(report):
 
 def curvature_text(report):
     """Return the summary of a Curvature Map."""
-    if report["quantity"] == "Smallest radius" and not report["undefined"]:
+    if report["undefined"]:
+        return "%s. %s." % (tr("No value is defined"), _mesh(report))
+    if report["quantity"] == "Smallest radius":
         return tr("Smallest radius {least} mm {least_at}. {mesh}.").format(
             least=figure(report["least"]), least_at=_at(report["least_at"]), mesh=_mesh(report)
         )
@@ -61,7 +61,7 @@ def reflection_text(report):
 def deviation_text(report):
     """Return the summary of a Deviation."""
     if report["undefined"]:
-        return tr("No point lies over the other shape")
+        return tr("No point lies over the other shape") + "."
     parts = tr("Largest deviation {furthest_mm} mm {furthest_at}; {least} to {largest} mm").format(
         furthest_mm=figure(report["furthest_mm"]),
         furthest_at=_at(report["furthest_at"]),

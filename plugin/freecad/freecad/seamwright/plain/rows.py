@@ -394,6 +394,4 @@ def cell_text(row, column):
         return row.figure_text(column.field)
     if column.field == "length_mm":
         return "\u2013" if value is None else "%.4g" % lengths.shown(value)
-    if column.numeric:
-        return "\u2013" if value is None else "%.4g" % value
     return value

@@ -54,7 +54,8 @@ def slides(points, closed, by_length):
     normal = normal * (1 if normal[numpy.argmax(abs(normal))] > 0 else -1)
     out = points - (before + after) / 2
     along = after - before
-    along = along / numpy.linalg.norm(along, axis=1)[:, None]
+    length = numpy.linalg.norm(along, axis=1)  # 0 where the polygon goes back the way it came
+    along = along / numpy.where(length > 0, length, 1.0)[:, None]
     out = out - (out * along).sum(axis=1)[:, None] * along
     flat = numpy.linalg.norm(out, axis=1) <= STRAIGHT * size
     out[flat] = numpy.cross(normal, along[flat])
