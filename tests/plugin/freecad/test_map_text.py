@@ -28,11 +28,14 @@ def test_the_smallest_radius_is_told_with_its_place():
     )
 
 
-@pytest.mark.parametrize("quantity", ["Mean", "Smallest radius"])
-def test_a_map_without_values_says_so_in_a_sentence(quantity):
+@pytest.mark.parametrize("quantity, text", [
+    ("Mean", "No value is defined. 1 face, 121 points."),
+    ("Smallest radius", "The faces are flat: they have no radius. 1 face, 121 points."),
+])
+def test_a_map_without_values_says_so_in_a_sentence(quantity, text):
     report = curved(quantity=quantity, undefined=True, least=0.0, largest=0.0, least_at=None,
                     largest_at=None)  # fmt: skip
-    assert map_text.curvature_text(report) == "No value is defined. 1 face, 121 points."
+    assert map_text.curvature_text(report) == text
 
 
 def test_faces_that_are_not_drawn_correctly_are_counted():

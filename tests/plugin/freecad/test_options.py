@@ -142,6 +142,7 @@ def test_sentences():
     "given, text",
     [
         ({"tolerance_mm": "x"}, "tolerance_mm = 'x' is no number"),
+        ({"count": 2.7}, "count = 2.7: must be a whole number"),
         ({"tolerance_mm": 10**400}, "is no number"),
         ({"tension": "x"}, "tension = 'x' is no number"),
         ({"tension": [1, None]}, "tension = None is no number"),

@@ -30,9 +30,13 @@ def _mesh(report):
 
 def curvature_text(report):
     """Return the summary of a Curvature Map."""
+    of_radius = report["quantity"] == "Smallest radius"
     if report["undefined"]:
-        return "%s. %s." % (tr("No value is defined"), _mesh(report))
-    if report["quantity"] == "Smallest radius":
+        text = tr("No value is defined")
+        if of_radius:
+            text = tr("The faces are flat: they have no radius")
+        return "%s. %s." % (text, _mesh(report))
+    if of_radius:
         return tr("Smallest radius {least} mm {least_at}. {mesh}.").format(
             least=figure(report["least"]), least_at=_at(report["least_at"]), mesh=_mesh(report)
         )

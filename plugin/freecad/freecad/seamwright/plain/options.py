@@ -107,6 +107,10 @@ def _number(option, value):
         raise ValueError("%s = %r: %s" % (
             option.argument, value, tr("at most {most}").format(most=MOST)
         ))
+    if option.kind == COUNT and math.isfinite(number) and number != int(number):
+        raise ValueError("%s = %r: %s" % (
+            option.argument, value, tr("must be a whole number")
+        ))
     if not (math.isfinite(number) and number >= option.least):
         wanted = tr("must be finite")
         if option.least != -math.inf:

@@ -2761,6 +2761,10 @@ Gezeigt: {show}</translation>
         <translation>Die Kante oder die Kanten der Naht</translation>
     </message>
     <message>
+        <source>The faces are flat: they have no radius</source>
+        <translation>Die Flächen sind eben: Sie haben keinen Radius</translation>
+    </message>
+    <message>
         <source>The faces as they look in the document</source>
         <translation>Die Flächen, wie sie im Dokument aussehen</translation>
     </message>
@@ -3363,6 +3367,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>misses {target}</source>
         <translation>verfehlt {target}</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>muss eine ganze Zahl sein</translation>
     </message>
     <message>
         <source>must be finite</source>

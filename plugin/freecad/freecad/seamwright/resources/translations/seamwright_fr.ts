@@ -2758,6 +2758,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The faces are flat: they have no radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The faces as they look in the document</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3359,6 +3363,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>misses {target}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2761,6 +2761,10 @@ Shown: {show}</source>
         <translation>接缝的一条或多条边</translation>
     </message>
     <message>
+        <source>The faces are flat: they have no radius</source>
+        <translation>这些面是平的：没有半径</translation>
+    </message>
+    <message>
         <source>The faces as they look in the document</source>
         <translation>面按其在文档中的样子显示</translation>
     </message>
@@ -3363,6 +3367,10 @@ Shown: {show}</source>
     <message>
         <source>misses {target}</source>
         <translation>未满足 {target}</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>必须是整数</translation>
     </message>
     <message>
         <source>must be finite</source>
