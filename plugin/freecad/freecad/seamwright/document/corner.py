@@ -205,7 +205,8 @@ def prepare(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     values["Radii"] = properties.checked_numbers("radii_mm", radii_mm)
     values["Setbacks"] = properties.checked_numbers("setbacks_mm", setbacks_mm)
     name = elements.checked_name("vertex", vertex, "Vertex")
-    obj = feature.add(elements.checked_object("source", source).Document, CornerFillet, CornerFillet.LABEL)
+    doc = elements.checked_object("source", source).Document
+    obj = feature.add(doc, CornerFillet, CornerFillet.LABEL)
     obj.Source = source
     elements.set_names(obj, "Vertex", [name])
     for name, value in values.items():

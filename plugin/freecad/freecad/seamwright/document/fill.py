@@ -444,7 +444,8 @@ def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **to
     values = properties.checked(
         {**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)}
     )
-    obj = feature.add(elements.checked_object("source", source).Document, UmbrellaFill, UmbrellaFill.LABEL)
+    doc = elements.checked_object("source", source).Document
+    obj = feature.add(doc, UmbrellaFill, UmbrellaFill.LABEL)
     obj.Source = source
     elements.set_names(obj, "Edges", edges)
     elements.set_names(obj, "Face", faces)

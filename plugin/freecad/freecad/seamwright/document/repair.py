@@ -222,7 +222,8 @@ def prepare(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, *
         elements.checked_names(*each)
         for each in (("edges", edges, "Edge"), ("fixed_faces", fixed_faces, "Face"))
     )
-    obj = feature.add(elements.checked_object("source", source).Document, SeamRepair, mark("Seam Repair"))
+    doc = elements.checked_object("source", source).Document
+    obj = feature.add(doc, SeamRepair, mark("Seam Repair"))
     obj.Source = source
     elements.set_names(obj, "Edges", edges)
     elements.set_names(obj, "FixedFaces", fixed_faces)
