@@ -34,9 +34,13 @@ def values():
 def store(given):
     """Store {name: value} of all preferences; those that are the defaults are not kept.
 
-    Raises ValueError where one is not allowed, TypeError for other names; then nothing is stored.
+    Raises ValueError where one is not allowed, TypeError for other names or where one is
+    missing; then nothing is stored.
     """
     preferences.check(given)
+    for each in preferences.ALL:
+        if each.name not in given:
+            raise TypeError("missing preference %r" % each.name)
     reset()
     group = _group()
     for each in preferences.ALL:

@@ -74,13 +74,13 @@ def is_allowed(preference, value):
 def check(values):
     """Raise ValueError for the first of {name: value} that is not allowed.
 
-    ``values`` has all preferences, since tolerances depend on each other; TypeError otherwise.
+    ``values`` has all tolerances, since they depend on each other. Raises TypeError for another
+    name.
     """
     known = {each.name: each for each in ALL}
-    for name in (*values, *known):
-        if (name in known) != (name in values):
-            fault = "missing" if name in known else "unknown"
-            raise TypeError("%s preference %r: give %s" % (fault, name, ", ".join(known)))
+    for name in values:
+        if name not in known:
+            raise TypeError("unknown preference %r: choose from %s" % (name, ", ".join(known)))
     for name, value in values.items():
         if not is_allowed(known[name], value):
             raise ValueError(_refused(known[name], value))
