@@ -185,6 +185,9 @@ bool Enclosure::isSettled(const Piece& piece) const {
 }
 
 double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
+  // A verdict may need no bound of the curvature, but where the angle has none, a point without
+  // tangent plane is to be found.
+  if ((quantity == Gap || quantity == Angle) && !std::isfinite(bound.upper)) return infinite;
   if (isEnough(quantity, bound.upper)) return 0;
   return (bound.upper - bound.lower) /
          std::max(allowed(quantity), std::numeric_limits<double>::min());
