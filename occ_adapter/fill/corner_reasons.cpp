@@ -155,7 +155,8 @@ std::string lengthText(double length_mm) {
 
 CornerReason notInOneShell(int vertex, int shells) {
   return {.fault = CornerFault::NotInOneShell,
-          .text = fmt::format("vertex {} is in {} shells of solids: one is needed", vertex, shells),
+          .text = fmt::format("vertex {} is in {} of a solid: one is needed", vertex,
+                              shells == 0 ? "no shell" : fmt::format("{} shells", shells)),
           .numbers = {{"vertex", vertex}, {"shells", shells}}};
 }
 

@@ -168,6 +168,19 @@ std::pair<PatchSide, PatchSide> randomSeam(std::mt19937_64& random) {
   }
 }
 
+/// The second side has a boundary that is one point, but for a scatter of its poles, at the begin
+/// of the seam.
+std::pair<PatchSide, PatchSide> scatteredSeam(std::mt19937_64& random) {
+  const int n = 1 + static_cast<int>(random() % 3);
+  const BezierPatch patch = randomPatch(2, n, logUniform(random, -3, 0), false, random);
+  const auto [left, right] = patch.splitU(0.5);
+  const double scatter = logUniform(random, -13, -5);
+  Poles poles = right.poles();
+  for (Eigen::Index i = 1; i < 3; ++i)
+    poles.row(i * (n + 1)) = poles.row(0) + scatter * test::randomVector(random).transpose();
+  return {endOf(left), beginOf({2, n, poles, right.weights()})};
+}
+
 ContinuityTolerance randomTolerance(std::mt19937_64& random) {
   ContinuityTolerance tolerance;
   tolerance.gap_mm = logUniform(random, -5, -1);
@@ -272,8 +285,10 @@ TEST(EncloseSeam, AVerdictAloneIsThatOfAllFigures) {
   int below_g2 = 0;
   for (int i = 0; i < 400; ++i) {
     SCOPED_TRACE(i);
-    const auto [a, b] = randomSeam(random);
-    const ContinuityTolerance tolerance = randomTolerance(random);
+    const bool is_scattered = i % 4 == 0;
+    const auto [a, b] = is_scattered ? scatteredSeam(random) : randomSeam(random);
+    const ContinuityTolerance tolerance =
+        is_scattered ? ContinuityTolerance() : randomTolerance(random);
     const auto figures = [&](bool all) {
       return encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.figures = all});
     };

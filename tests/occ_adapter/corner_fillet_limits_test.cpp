@@ -227,7 +227,7 @@ TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
               HasSubstr("edges meet at the vertex"));
   TopExp_Explorer shell(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), TopAbs_SHELL);
   EXPECT_THAT(refusal(shell.Current(), {0, 0, 0}),
-              HasSubstr("is in 0 shells of solids: one is needed"));
+              HasSubstr("is in no shell of a solid: one is needed"));
 }
 
 TEST(CornerFilletLimits, SectionsThatAPolynomialCanNotFollowAreRefused) {

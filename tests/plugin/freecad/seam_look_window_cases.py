@@ -138,6 +138,12 @@ class Look(LookCase):
         self.assertGreater(count(picture("labelled"), marker.INK, MODEL), without + 3 * FEW)
         marks = _marks(obj.ViewObject.Proxy.labels)
         self.assertEqual(marks, 3)
+        obj.ViewObject.Visibility = False
+        settle()
+        self.assertEqual(_marks(obj.ViewObject.Proxy.labels), 0)
+        obj.ViewObject.Visibility = True
+        settle()
+        self.assertEqual(_marks(obj.ViewObject.Proxy.labels), 3)
         obj.ViewObject.Show = "Defect"
         settle()
         self.assertEqual(_marks(obj.ViewObject.Proxy.labels), 1)

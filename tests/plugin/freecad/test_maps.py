@@ -346,7 +346,7 @@ def test_directions_of_lights_need_no_unit_length_and_no_right_angle():
 
 
 def test_a_direction_that_is_none_is_named():
-    said = " = [0, 0, 0]: three numbers are needed, not all zero"
+    said = " = 0; 0; 0: three numbers are needed, not all zero"
     none, up = (0, 0, 0), (0, 0, 1)
     for name, along, towards in (("along", none, up), ("towards", up, none)):
         with pytest.raises(ValueError) as caught:

@@ -30,10 +30,10 @@ def test_a_match_is_told_before_and_after(matched):
     ]
     assert match_text.summary(matched) == (
         "Matched: G1 is met; gap \u22641e-13 mm; angle \u22642.8e-6\u00b0; curvature 41..45 %; "
-        "poles moved by up to 0.363 mm (exactly, up to rounding)."
+        "poles moved by up to 0.363 mm (the seam is exact up to rounding)."
     )
     matched["reason"] += ", inner knots along the seam repeated twice more"
-    assert match_text.summary(matched).endswith("0.363 mm (exactly, up to rounding).")
+    assert match_text.summary(matched).endswith("0.363 mm (the seam is exact up to rounding).")
 
 
 def test_a_match_tells_new_poles_and_how_far_the_shape_changes(matched):
@@ -118,7 +118,7 @@ def test_figures_that_were_not_measured_are_not_told(matched):
     matched["after"]["curvature_rel"] = None
     assert match_text.summary(matched) == (
         "Matched: G1 is met; gap \u22641e-13 mm; angle \u22642.8e-6\u00b0; poles moved by up to "
-        "0.363 mm (exactly, up to rounding)."
+        "0.363 mm (the seam is exact up to rounding)."
     )
 
 

@@ -363,6 +363,13 @@ def test_a_lower_bound_at_the_tolerance_is_no_certain_miss():
         assert new_seams.certainly_misses(one, LIMITS, "G1") == missed
 
 
+def test_the_largest_figures_are_rounded_up():
+    one = {**measured(1), "gap_mm": {"lower": 1.14e-6, "upper": 1.1443e-6, "at": 0.5},
+           "angle_deg": {"lower": 0.1, "upper": 0.10011, "at": 0.5}}  # fmt: skip
+    text = new_seams.largest_text([one], LIMITS)
+    assert text.startswith("1 seam, gap at most 1.2e-6 mm, angle at most 0.101\u00b0")
+
+
 def test_a_gap_without_an_upper_bound_is_unknown():
     text = new_seams.largest_text([measured(1, bounded=False)], LIMITS)
     assert text == "1 seam, gap unknown, angle unknown, curvature unknown"

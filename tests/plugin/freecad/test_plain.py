@@ -259,7 +259,7 @@ def test_the_change_of_curvature_decides_for_g3():
     [
         ("gap", "\u22650.001 mm"),
         ("angle", "12.4\u00b0"),
-        ("curvature", "50..60 %"),
+        ("curvature", "curvature 50..60 %"),
         ("curvature_change", ""),
     ],
 )

@@ -125,7 +125,7 @@ def test_the_worst_change_of_curvature_is_told_in_percent():
     change = {"lower": 0.875, "upper": 0.875, "at": 0.5}
     worst = {"quantity": "curvature_change", "at": 0.5, "point": [0, 0, 0]}
     one = {**seam(1), "curvature_change_rel": change, "worst": worst}
-    assert rows.worst_label(one, TOLERANCE) == "87.5 %"
+    assert rows.worst_label(one, TOLERANCE) == "change of curvature 87.5 %"
 
 
 def test_the_level_of_the_report_decides_which_seam_is_worst():

@@ -367,6 +367,20 @@ class Commands(WindowCase):
         obj, _ = self.analyse()
         self.assertEqual((obj.Sources, obj.Seams), ([box], 12))
 
+    def test_without_a_selection_the_objects_found_are_the_sources(self):
+        prism = models.add(self.doc, models.three_classes(), "Prism")
+        self.doc.recompute()
+        obj, panel = self.analyse()
+        self.assertEqual(obj.Sources, [prism])
+        panel.reject()
+        settle()
+        self.doc.removeObject("Prism")
+        self.doc.recompute()
+        settle()
+        self.assertEqual(obj.Outcome, "without result")
+        self.assertIn("nothing to analyse", obj.Summary)
+        self.assertEqual((obj.Seams, obj.Shape.isNull()), (0, True))
+
     def test_undo_takes_the_analysis_away(self):
         self.doc.UndoMode = 1
         models.add(self.doc, models.three_classes(), "Prism")

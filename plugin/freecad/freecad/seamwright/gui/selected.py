@@ -19,12 +19,12 @@ from freecad.seamwright.plain import rows
 def selected_sources(doc):
     """Return the selected objects to analyse, without repeats; a group stays what it is.
 
-    Without a selection there are none, which means everything. Raises SourceError where an object
-    has no faces, or the document has none.
+    Without a selection these are all objects that can be analysed. Raises SourceError where an
+    object has no faces, or the document has none.
     """
-    chosen = _with_analysed(picked_objects())
+    chosen = _with_analysed(picked_objects()) or sources.everything(doc)
     _parts(chosen)
-    if not chosen and not sources.everything(doc):
+    if not chosen:
         sources.Model([])
     return chosen
 

@@ -42,7 +42,7 @@ def unit(direction, what="direction"):
     if found.shape != (3,) or not numpy.isfinite(found).all() or not found.any():
         raise ValueError(
             tr("{what} = {direction}: three numbers are needed, not all zero").format(
-                what=what, direction=list(direction)
+                what=what, direction="; ".join("%g" % each for each in found.ravel())
             )
         )
     return found / numpy.linalg.norm(found)

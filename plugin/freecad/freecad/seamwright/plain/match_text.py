@@ -95,7 +95,7 @@ def _changed_poles(report):
 
 def _in_words(reason):
     """Return how the faces were joined, in the words of the panel."""
-    exactly = tr("exactly, up to rounding")
+    exactly = tr("the seam is exact up to rounding")
     reason = re.sub(kernel_words.JOINED_IN_POLES, lambda found: exactly, reason)
     return re.sub(
         kernel_words.JOINED_NEAR_THE_SEAM,

@@ -6,6 +6,7 @@ Where the new faces were not kept, ``edges`` and ``faces`` are empty, since the 
 numbers refer does not exist any more. Then ``source_edges`` has the numbers in the source.
 """
 
+import math
 from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure, repair_text, rows, summary
@@ -160,7 +161,7 @@ def largest_text(seams, tolerance):
             parts.append(tr(unknown))
         else:
             quantity = rows.QUANTITIES[name]
-            text = enclosure.number(quantity.factor * figure["upper"])
+            text = enclosure.number(quantity.factor * figure["upper"], rounding=math.ceil)
             parts.append(tr(known).format(figure=text))
     return ", ".join(parts)
 

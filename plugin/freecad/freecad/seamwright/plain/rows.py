@@ -52,6 +52,12 @@ QUANTITIES = {
     ),
 }
 
+#: The labels of figures in percent.
+PERCENTS = {
+    "curvature_rel": mark("curvature {figure}"),
+    "curvature_change_rel": mark("change of curvature {figure}"),
+}
+
 #: The figure behind each word of the report's "worst".
 WORST_FIGURE = {
     "gap": "gap_mm",
@@ -307,14 +313,18 @@ def _interval_text(first, last):
 
 
 def worst_label(seam, tolerance):
-    """Return the figure at the worst point of a seam with its unit; "" without such a point."""
+    """Return the figure at the worst point of a seam with its unit; "" without such a point.
+
+    Percents are named, since a table may not have their column.
+    """
     worst = seam.get("worst")
     if worst is None:
         return ""
     name = WORST_FIGURE[worst["quantity"]]
     if seam.get(name) is None:
         return ""
-    return shown_text(seam, name, tolerance) + _shown_unit(name)
+    text = shown_text(seam, name, tolerance) + _shown_unit(name)
+    return tr(PERCENTS[name]).format(figure=text) if name in PERCENTS else text
 
 
 def sort_rows(rows, field, descending=False):

@@ -35,4 +35,5 @@ def export_to(obj, path):
     except export.ExportError as error:
         messages.show_error(str(error))
         return False
+    messages.say(tr("All seams are written to {path}.").format(path=path))
     return True

@@ -109,6 +109,10 @@ class SeamAnalysisView(PanelView):
 
     def refresh(self, vobj):
         """Draw the stored results; those of a long report once they have been read in a thread."""
+        if not vobj.Visibility:
+            self.legend.show(False)
+            self.labels.show([])
+            return
         obj = vobj.Object
         results = analysis.known_results(obj)
         if results is None and _is_long(obj):
@@ -116,9 +120,6 @@ class SeamAnalysisView(PanelView):
             return
         if results is None:
             results = analysis.results_of(obj)
-        if not vobj.Visibility:
-            self.legend.show(False)
-            return
         self._draw_lines(vobj, results)
         self._picks.update(obj)
         self._draw_labels(vobj, results)

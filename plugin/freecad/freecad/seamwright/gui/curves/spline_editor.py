@@ -203,7 +203,7 @@ class SplineEditor:
         if along is None:
             return None
         tension = self.drawing.tension(before).tolist()
-        value = slides.tension(place, along)
+        value = float("%.4g" % slides.tension(place, along))
         tension[place] = max(value, 0.0) if before["family"] == NU else value
         return {**before, "tension": tension}
 

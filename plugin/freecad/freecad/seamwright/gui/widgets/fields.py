@@ -95,7 +95,7 @@ class QuantityField(Field):
 
     def drag(self, value):
         """Show a number that the user drags, unless an expression gives it; return whether."""
-        return self.widget.suggest(max(value, self.option.least))
+        return self.widget.suggest(max(float("%.4g" % value), self.option.least))
 
 
 class CountField(QuantityField):

@@ -1177,6 +1177,10 @@ Gezeigt: {show}</translation>
         <translation>Alle Nähte</translation>
     </message>
     <message>
+        <source>All seams are written to {path}.</source>
+        <translation>Alle Nähte sind in {path} geschrieben.</translation>
+    </message>
+    <message>
         <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
         <translation>Erlauben, was die beste Füllung braucht, damit sie als eine behalten werden kann, die das Ziel erreicht</translation>
     </message>
@@ -3153,6 +3157,10 @@ Gezeigt: {show}</translation>
         <translation>nach Größe der Fläche</translation>
     </message>
     <message>
+        <source>change of curvature {figure}</source>
+        <translation>Krümmungsänderung {figure}</translation>
+    </message>
+    <message>
         <source>choose edges, or nothing</source>
         <translation>Wählen Sie Kanten, oder nichts</translation>
     </message>
@@ -3191,6 +3199,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>curvature unknown</source>
         <translation>Krümmung unbekannt</translation>
+    </message>
+    <message>
+        <source>curvature {figure}</source>
+        <translation>Krümmung {figure}</translation>
     </message>
     <message>
         <source>curvature {figure} %</source>
@@ -3243,10 +3255,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>every seam is {order}</source>
         <translation>jede Naht ist {order}</translation>
-    </message>
-    <message>
-        <source>exactly, up to rounding</source>
-        <translation>exakt, bis auf Rundung</translation>
     </message>
     <message>
         <source>exchange of surfaces between CAD systems</source>
@@ -3787,6 +3795,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>the range goes from {low:g} to {high:g}: give a larger upper end</source>
         <translation>der Bereich geht von {low:g} bis {high:g}: Geben Sie ein größeres oberes Ende an</translation>
+    </message>
+    <message>
+        <source>the seam is exact up to rounding</source>
+        <translation>die Naht ist bis auf Rundung exakt</translation>
     </message>
     <message>
         <source>the selection has {edges}, in {groups}: {needs}</source>

@@ -1176,6 +1176,10 @@ Shown: {show}</source>
         <translation>Toutes les coutures</translation>
     </message>
     <message>
+        <source>All seams are written to {path}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3150,6 +3154,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>change of curvature {figure}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>choose edges, or nothing</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3187,6 +3195,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>curvature unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curvature {figure}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3239,10 +3251,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>every seam is {order}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>exactly, up to rounding</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3783,6 +3791,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>the range goes from {low:g} to {high:g}: give a larger upper end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the seam is exact up to rounding</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

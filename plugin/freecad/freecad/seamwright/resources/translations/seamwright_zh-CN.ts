@@ -1177,6 +1177,10 @@ Shown: {show}</source>
         <translation>所有接缝</translation>
     </message>
     <message>
+        <source>All seams are written to {path}.</source>
+        <translation>所有接缝已写入 {path}。</translation>
+    </message>
+    <message>
         <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
         <translation>允许最佳填充所需的公差，使它能作为达到目标的填充保留</translation>
     </message>
@@ -3153,6 +3157,10 @@ Shown: {show}</source>
         <translation>按面的尺寸</translation>
     </message>
     <message>
+        <source>change of curvature {figure}</source>
+        <translation>曲率变化 {figure}</translation>
+    </message>
+    <message>
         <source>choose edges, or nothing</source>
         <translation>请选择边，或不选择</translation>
     </message>
@@ -3191,6 +3199,10 @@ Shown: {show}</source>
     <message>
         <source>curvature unknown</source>
         <translation>曲率未知</translation>
+    </message>
+    <message>
+        <source>curvature {figure}</source>
+        <translation>曲率 {figure}</translation>
     </message>
     <message>
         <source>curvature {figure} %</source>
@@ -3243,10 +3255,6 @@ Shown: {show}</source>
     <message>
         <source>every seam is {order}</source>
         <translation>每条接缝均为 {order}</translation>
-    </message>
-    <message>
-        <source>exactly, up to rounding</source>
-        <translation>精确，仅有舍入误差</translation>
     </message>
     <message>
         <source>exchange of surfaces between CAD systems</source>
@@ -3787,6 +3795,10 @@ Shown: {show}</source>
     <message>
         <source>the range goes from {low:g} to {high:g}: give a larger upper end</source>
         <translation>范围从 {low:g} 到 {high:g}：请给出更大的上限</translation>
+    </message>
+    <message>
+        <source>the seam is exact up to rounding</source>
+        <translation>接缝精确，仅有舍入误差</translation>
     </message>
     <message>
         <source>the selection has {edges}, in {groups}: {needs}</source>
