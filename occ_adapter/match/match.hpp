@@ -21,8 +21,10 @@ struct FaceMatchOptions {
   MatchMoves moves = MatchMoves::Second;
   double max_move_mm =
       std::numeric_limits<double>::infinity();  ///< upper limit of MatchReport::largest_move_mm
-  bool hold_sides = false;  ///< the two boundaries that end at the seam stay, to 1/100 of the gap
-  double match_mm = 0.1;    ///< free edges no further apart than this may be the common boundary
+  /// The two boundaries that end at the seam stay, to 1/100 of the gap tolerance; where the face
+  /// changes up to a depth only, to that tolerance.
+  bool hold_sides = false;
+  double match_mm = 0.1;  ///< free edges no further apart than this may be the common boundary
   int edge = 0;  ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
   /// How far from the boundary the face may change; nothing: as little as needed.
   std::optional<double> depth_mm;

@@ -4,6 +4,7 @@
 
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
@@ -109,7 +110,7 @@ std::string written(const Write& write, const occ::Model& model) {
 }
 
 /// Like py::register_local_exception, except that the message may quote the name of a file with any
-/// bytes.
+/// bytes. Geometry that can't be computed with is a bad argument.
 void bindModelError(py::module_& module) {
   static py::handle type = py::exception<occ::ModelError>(module, "ModelError").release();
   type.attr("__doc__") =
@@ -120,6 +121,8 @@ void bindModelError(py::module_& module) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const occ::ModelError& error) {
       PyErr_SetObject(type.ptr(), readable(error.what()).ptr());
+    } catch (const occ::GeometryError& error) {
+      PyErr_SetString(PyExc_ValueError, error.what());
     }
   });
 }

@@ -180,6 +180,15 @@ def test_a_side_is_continued_up_to_a_face(sheets):
             model.extend_surface(edge_at(model, 30), **arguments)
 
 
+def test_a_face_that_does_not_cut_the_extension_is_a_bad_argument(sheets):
+    far = seamwright.BezierPatch(np.asarray(sheet(0, 900, 0).poles))
+    model = seamwright.Model.from_patches([sheet(0, 0, 0.3), far])
+    with pytest.raises(ValueError, match="face 2"):
+        model.extend_surface(edge_at(model, 30), to=2)
+    with pytest.raises(ValueError, match="tension is too large"):
+        sheets.blend_surface(edge_at(sheets, 30), edge_at(sheets, 60), start_tension=1e308)
+
+
 def test_a_face_is_named_where_an_edge_has_two(tmp_path):
     patches = [sheet(0, 0, 0.3), sheet(30, 9, 0.3)]
     joined = seamwright.Model.from_patches(patches, sew_mm=0.1)

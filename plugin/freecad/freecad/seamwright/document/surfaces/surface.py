@@ -113,7 +113,7 @@ class Surface(OptionFeature):
         def run(progress):
             try:
                 return cls.compute(make(), gathered.numbers, values, progress)
-            except (ValueError, RuntimeError) as error:
+            except ValueError as error:
                 raise ValueError(gathered.named(str(error))) from None
 
         def finish(found):
