@@ -145,6 +145,16 @@ class Panel(MapWindow):
         self.assertEqual(obj.Quantity, "Mean")
         self.assertAlmostEqual(obj.Least, -0.25)
 
+    def test_a_given_range_begins_with_the_values_found(self):
+        obj, panel = self.start("CurvatureMap", (self.block, ""))
+        self.set_field(panel, "range", "Given")
+        self.assertEqual((obj.Range, obj.Low, obj.High), ("Given", -0.25, 0.0))
+        self.set_field(panel, "high", 0.5)
+        self.set_field(panel, "range", "Automatic")
+        self.set_field(panel, "range", "Given")
+        self.assertEqual((obj.Low, obj.High), (-0.25, 0.5))
+        self.cancel()
+
     def test_undo_restores_values_and_colours(self):
         obj, _ = self.start("DraftAngle", (self.block, ""))
         self.ok()

@@ -395,6 +395,15 @@ class Stripes(MatchWindow):
             (self.doc.UndoCount, Gui.getDocument(self.doc.Name).Modified), (steps, modified)
         )
 
+    def test_stripes_can_be_removed_whatever_is_selected(self):
+        mesh = self.doc.addObject("Mesh::Feature", "Mesh")
+        zebra.show([self.left])
+        Gui.Selection.addSelection(mesh)
+        Gui.runCommand(ZEBRA)
+        self.assertEqual((zebra.objects(self.doc), messages()), ([], []))
+        Gui.runCommand(ZEBRA)
+        self.assertIn("Mesh is a mesh", messages()[0])
+
     def test_the_selected_object_alone(self):
         Gui.Selection.addSelection(self.left)
         Gui.runCommand(ZEBRA)

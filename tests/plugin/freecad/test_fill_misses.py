@@ -109,7 +109,9 @@ def test_the_square_root_of_the_largest_share_is_vermillion():
 def test_the_words_of_the_legend():
     title, entries, _ = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 49.0)
     assert title == "Fill that is not kept"
-    assert [meaning for *_, meaning in entries] == ["the tolerance", "", "within the tolerances"]
+    assert [meaning for *_, meaning in entries] == [
+        "the tolerance", "the tolerance", "within the tolerances"
+    ]
     assert entries[1][0].rgb == pytest.approx((213, 94, 0), abs=1)
     assert entries[2][0].rgb == (0, 158, 115)
     _, entries, _ = fill_misses.legend({"target": "G1", "tolerance": LIMITS}, 1.21)

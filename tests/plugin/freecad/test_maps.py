@@ -360,3 +360,13 @@ def test_a_direction_that_is_none_is_named():
 def test_without_finite_values_there_are_no_extremes():
     found = maps.extremes(numpy.array([math.inf, math.nan]), numpy.zeros((2, 3)))
     assert found == dict.fromkeys(("least", "largest", "least_at", "largest_at"))
+
+
+@pytest.mark.parametrize("least, largest, wanted", [
+    (-0.25, 0.125, (-0.25, 0.25)),
+    (0.012345, 2.0, (0.0123, 2.0)),
+    (-3.0, -1.0, (-3.0, -1.0)),
+    (0.5, 0.5, ()),
+])
+def test_a_range_of_the_user_begins_with_the_values_found(least, largest, wanted):
+    assert maps.given_range({"least": least, "largest": largest}) == wanted

@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.seamwright.document import analysis, corner, fill, match, repair
+from freecad.seamwright.document import analysis, corner, fill, match, repair, sources
 from freecad.seamwright.gui.analysis import export_dialog
 from freecad.seamwright.gui.command import Command, begin, open_new
 from freecad.seamwright.gui.scene.zebra import zebra
@@ -210,7 +210,13 @@ class ZebraStripes(Command):
 
     def run(self, doc):
         """Draw the stripes; remove them where all of the objects already have them."""
-        striped, chosen = zebra.objects(doc), selected_with_faces()
+        striped = zebra.objects(doc)
+        try:
+            chosen = selected_with_faces()
+        except sources.SourceError:
+            if not striped:
+                raise
+            chosen = []  # what is selected has no stripes; those that are drawn can be removed
         if chosen and any(obj not in striped for obj in chosen):
             self._show([obj for obj in chosen if obj not in striped])
         elif chosen or striped:

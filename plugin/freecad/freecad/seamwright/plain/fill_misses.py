@@ -83,7 +83,7 @@ def legend(report, most):
         share = most**place
         rgb = tuple(round(255 * channel) for channel in _of_ramp(row, share, most))
         name = "%s \u00d7" % enclosure.number(share)
-        entries.append((Sample(rgb), name, tr("the tolerance") if place == 1 else ""))
+        entries.append((Sample(rgb), name, tr("the tolerance")))
     entries.append((Sample(palette.SMOOTH.rgb), "\u2264 1 \u00d7", tr("within the tolerances")))
     judged = {"tolerance": report["tolerance"], "freecad": {"level": report["target"]}}
     return tr("Fill that is not kept"), entries, summary.tolerance_text(judged)

@@ -124,3 +124,15 @@ def extremes(values, points):
         "least_at": points[low].tolist(),
         "largest_at": points[high].tolist(),
     }
+
+
+def given_range(report):
+    """Return (low, high) to begin with for a range of the user: the values found, three digits.
+
+    Zero stays in the middle where both signs occur. Returns () where all values are equal.
+    """
+    low, high = report["least"], report["largest"]
+    if low < 0 < high:
+        low, high = -max(-low, high), max(-low, high)
+    low, high = (float("%.3g" % each) for each in (low, high))
+    return (low, high) if low < high else ()

@@ -8,6 +8,7 @@ import Part
 
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import meshes
+from freecad.seamwright.document.maps.curvature import GIVEN
 from freecad.seamwright.document.maps.deviation import Deviation
 from freecad.seamwright.document.maps.seam_plot import SeamPlot
 from freecad.seamwright.document.maps.surface_map import SurfaceMap
@@ -17,7 +18,7 @@ from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.maps.plot import Line, Plot
 from freecad.seamwright.gui.widgets.boxes import ComboBox
 from freecad.seamwright.gui.widgets.forms import make_box, make_text
-from freecad.seamwright.plain import seam_text
+from freecad.seamwright.plain import maps, seam_text
 from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.ramps import figure
 
@@ -76,6 +77,21 @@ class ToolPanel(OptionPanel):
             layout.addWidget(widget)
         self.figure.currentIndexChanged.connect(self._show_plot)
         self.plot.pointed.connect(self._point)
+
+    def _connect(self):
+        super()._connect()
+        if "range" in self.options.fields:
+            self.options.fields["range"].changed.connect(self._propose_range)
+
+    def _propose_range(self):
+        """Let a given range begin with the values that were found."""
+        fields = self.options.fields
+        ends = [fields[each] for each in ("low", "high")]
+        untouched = all(each.value() == each.option.default for each in ends)
+        if fields["range"].value() == GIVEN and untouched and self.has_result():
+            proposed = maps.given_range(report_of(self.obj))
+            for each, value in zip(ends, proposed):
+                each.widget.suggest(value)
 
     def check(self, name, chosen):
         """Raise SourceError or ValueError where a property cannot have these links."""
