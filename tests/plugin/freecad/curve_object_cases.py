@@ -118,9 +118,11 @@ class Objects(DocumentCase):
             "BridgeCurve": [line, other],
             "JoinCurves": [line, other],
             "FairCurve": [edge],
-            "Conic": [(self.source(), ["Vertex1", "Vertex2", "Vertex3"])],
+            **{
+                kind: [(self.source(), ["Vertex1", "Vertex2", "Vertex3"])]
+                for kind in ("Conic", "LogSpiral")
+            },
         }
-        chosen["LogSpiral"] = chosen["Conic"]
         for kind in curves.KINDS:
             with self.subTest(kind):
                 sources = chosen.get(kind, [self.source()])

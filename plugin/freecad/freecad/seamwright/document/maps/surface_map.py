@@ -105,7 +105,7 @@ def check_elements(chosen):
         if name and "." not in name and sources.has_shape(obj):  # a link has names with dots
             try:
                 sources.placed_shape(obj).getElement(name)
-            except (Part.OCCError, ValueError):
+            except (Part.OCCError, ValueError, IndexError):  # depends on the version of FreeCAD
                 raise sources.SourceError(tr("{label} has no {name}: choose another one.").format(
                     label=obj.Label, name=name
                 )) from None

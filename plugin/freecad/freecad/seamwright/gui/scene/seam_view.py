@@ -111,7 +111,7 @@ def find(doc, name, element):
         return None
     try:
         return sources.world_shape(obj).getElement(element)
-    except (Part.OCCError, sources.SourceError):
+    except (Part.OCCError, ValueError, IndexError, sources.SourceError):
         return None
 
 
