@@ -452,6 +452,20 @@ class Bridges(DocumentCase):
         with self.assertRaisesRegex(ValueError, "1 edge chosen: choose two"):
             curves.make("BridgeCurve", one)
 
+    def test_edges_with_a_common_end_are_bridged_at_their_other_ends(self):
+        corner = App.Vector(10, 0, 0)
+        lines = [Part.makeLine(App.Vector(), corner), Part.makeLine(corner, App.Vector(10, 8, 0))]
+        wire = curves.make("BridgeCurve", lines).shape
+        ends = [each.Point for each in wire.Vertexes]
+        self.assertLess((ends[0] - App.Vector()).Length, 1e-12)
+        self.assertLess((ends[1] - App.Vector(10, 8, 0)).Length, 1e-12)
+        with self.assertRaisesRegex(ValueError, "the edges meet where the curve would be"):
+            curves.make("BridgeCurve", lines, flip_first=True, flip_second=True)
+        arcs = [
+            Part.Arc(App.Vector(), App.Vector(5, side, 0), corner).toShape() for side in (3, -3)
+        ]
+        with self.assertRaisesRegex(ValueError, "the edges meet where the curve would be"):
+            curves.make("BridgeCurve", arcs)
 
     def test_each_end_has_its_own_order(self):
         one = Part.Arc(App.Vector(0, 0, 0), App.Vector(7, 3, 0), App.Vector(10, 10, 0)).toShape()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bridge Curve: a curve between the nearest ends of two edges, with their tangents and curvatures.
+"""Bridge Curve: a curve between ends of two edges, with their tangents and curvatures.
 
 The class path is written into documents: neither rename nor move it.
 """
@@ -59,11 +59,9 @@ class BridgeCurve(Curve):
         """Return (curve that arrives, curve that leaves, distance of these ends in mm)."""
         edges = inputs.edges_of(shapes)
         flips = values["flip_first"], values["flip_second"]
-        at_first, at_second = inputs.nearest_ends(edges, flips)
+        at_first, at_second = inputs.ends_to_bridge(edges, flips)
         first, second = (inputs.ends_of(edge) for edge in edges)
         distance = first[at_first].distanceToPoint(second[at_second])
-        if distance <= inputs.GAP_MM:
-            raise ValueError(tr("the edges meet where the curve would be: choose other ends"))
         one, other = (inputs.curve_of(module, edge).bezier_spline() for edge in edges)
         arriving, to_second = _out_of(one, at_first), _out_of(other, at_second)
         return arriving, to_second.reversed(), distance

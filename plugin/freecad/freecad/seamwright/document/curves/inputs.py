@@ -138,22 +138,41 @@ def kernel_curve(module, curve):
     return found
 
 
-def nearest_ends(edges, flips=(False, False)):
+def nearest_ends(edges):
     """Return for two edges whether their last points are the ends nearest to each other.
 
-    ``flips``: which edge takes its other end instead. Raises ValueError for another number of
-    edges.
+    Raises ValueError for another number of edges.
     """
     if len(edges) != 2:
         raise ValueError(tr("{edges} chosen: choose two").format(
             edges=counted(len(edges), "edge")
         ))
-    first, second = (ends_of(edge) for edge in edges)
-    nearest = min(
-        ((one, other) for one in (0, 1) for other in (0, 1)),
-        key=lambda pair: first[pair[0]].distanceToPoint(second[pair[1]]),
+    return min(
+        ((one, other) for one in (False, True) for other in (False, True)),
+        key=lambda pair: _distance(edges, pair),
     )
-    return tuple(bool(end) != flip for end, flip in zip(nearest, flips))
+
+
+def ends_to_bridge(edges, flips):
+    """Return for two edges whether a curve between them is at their last points.
+
+    It is between their nearest ends; where these meet, between the other ones. ``flips``: which
+    edge takes its other end instead. Raises ValueError for another number of edges, and where the
+    ends meet.
+    """
+    nearest = nearest_ends(edges)
+    meet = _distance(edges, nearest) <= GAP_MM
+    ends = tuple(end != (flip != meet) for end, flip in zip(nearest, flips))
+    if _distance(edges, ends) <= GAP_MM:
+        raise ValueError(
+            tr("the edges meet where the curve would be: choose other ends, or other edges")
+        )
+    return ends
+
+
+def _distance(edges, at_last):
+    first, second = (ends_of(edge)[end] for edge, end in zip(edges, at_last))
+    return first.distanceToPoint(second)
 
 
 def ends_of(edge):

@@ -130,7 +130,7 @@ class LogSpiral(Curve):
 
 def _between(module, edges, flips, flatness_mm):
     """Return the Ends of a spiral from an end of one edge to an end of another one."""
-    at_first, at_second = inputs.nearest_ends(edges, flips)
+    at_first, at_second = inputs.ends_to_bridge(edges, flips)
     curves = [inputs.curve_of(module, edge).bezier_spline() for edge in edges]
     plane = plane_of(numpy.vstack([curve.poles for curve in curves]), flatness_mm)
     first, second = (
