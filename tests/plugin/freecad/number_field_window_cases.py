@@ -64,6 +64,26 @@ class Fields(PanelWindow):
                 self.assertEqual(state, QtGui.QValidator.Intermediate, (kind, text))
                 self.assertEqual(self.enter(field, text), 7.0, (kind, text))
 
+    def test_a_field_left_with_a_text_that_is_not_allowed_says_so(self):
+        _, panel = self.block_analysis()
+        field, labels = panel.tolerances.fields["GapTolerance"], panel.look.labels
+        for each, texts in ((field, ("abc", "5 kg", "-1")), (labels, ("100000000", "2x"))):
+            before = each.value()
+            for text in texts:
+                panel.form.setFocus()
+                each.setFocus()
+                each.lineEdit().selectAll()
+                for letter in text:
+                    self.press_key(each, 0, letter)
+                self.assertEqual(each.lineEdit().text(), text)
+                self.assertIn("color", each.lineEdit().styleSheet())
+                panel.seam_table.setFocus()
+                settle()
+                self.assertEqual(each.value(), before, text)
+                self.assertEqual(each.lineEdit().styleSheet(), "")
+                self.assertIn(each.textFromValue(before) + " is kept", QtWidgets.QToolTip.text())
+        panel.reject()
+
     def test_a_number_out_of_range_is_kept_until_it_is_changed(self):
         field = NumberField(PERCENT, 1.0)
         field.show_number(3.0)

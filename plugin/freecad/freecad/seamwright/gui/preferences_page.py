@@ -153,7 +153,7 @@ class PreferencesPage:
             problem = ""
         except ValueError as error:
             problem = str(error) + "."
-        self.problem.setStyleSheet("color: %s" % ink.ink(ink.WRONG, self.problem).name())
+        self.problem.setStyleSheet(ink.style(ink.WRONG, self.problem))
         self.problem.setText(problem)
         self.problem.setVisible(bool(problem))
 

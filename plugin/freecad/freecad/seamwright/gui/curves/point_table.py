@@ -85,8 +85,20 @@ class PointTable(QtWidgets.QTableWidget):
             (numbers[row],) = options.parse_numbers(text)
         except (ValueError, IndexError):
             self.show_points(self._points, self._numbers)
+            self._say_not_taken(row, column, text)
             return
         self.edited.emit(name, numbers)
+
+    def _say_not_taken(self, row, column, text):
+        place = self.visualItemRect(self.item(row, column)).bottomLeft()
+        kept = self.item(row, column).text()
+        QtWidgets.QToolTip.showText(
+            self.viewport().mapToGlobal(place),
+            tr("\u201c{text}\u201d is no such number: {kept} is kept.").format(
+                text=text, kept=kept
+            ),
+            self,
+        )
 
     def _length_mm(self, text):
         """Return the length of a number in the unit of the user, or of an expression."""

@@ -89,7 +89,7 @@ class SurfacePanel(OptionPanel):
         """Show the results as they are stored now; a fold in the colour of what is not reached."""
         super().refresh()
         if surface_text.folds(report_of(self.obj)):
-            self.summary.setStyleSheet("color: %s" % ink.ink(ink.BAD, self.summary).name())
+            self.summary.setStyleSheet(ink.style(ink.BAD, self.summary))
         self._rows = built = surface_text.build_rows(report_of(self.obj))
         name_columns(self.table, surface_text.COLUMNS)
         self.table.clearSelection()

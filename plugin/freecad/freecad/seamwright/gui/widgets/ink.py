@@ -21,3 +21,8 @@ def ink(kind, widget):
     widget.ensurePolished()
     text = widget.palette().color(QtGui.QPalette.Text)
     return QtGui.QColor(*INKS[kind][text.lightness() > LIGHT])
+
+
+def style(kind, widget):
+    """Return the style sheet that gives a widget the colour of a kind of text."""
+    return "color: %s" % ink(kind, widget).name()
