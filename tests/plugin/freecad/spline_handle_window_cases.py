@@ -329,15 +329,22 @@ class Drags(SplineWindow):
         self.assertEqual(list(obj.Moves), [])
         self.cancel()
 
-    def test_a_bad_text_ends_no_panel_and_other_sources_replace_own_points(self):
+    def test_a_bad_text_leaves_table_and_handles(self):
         obj, panel = self.spline()
-        panel.options.fields["tension"].widget.setText("x")
+        panel.options.fields["tension"].widget.setText("0; x")
         self.wait()
+        self.assertTrue(panel.table.isVisible())
         drag(WAVE[1], (12, 27, 0))
-        click(panel.pick, panel.pick.rect().center())
-        self.assertFalse(panel.pick.isChecked())
+        self.wait()
         self.assertIn("is not a list of numbers", panel.summary.text())
+        self.assertEqual(list(obj.Moves), [])
         self.set_field(panel, "tension", [0.0])
+        self.wait()
+        numpy.testing.assert_allclose(self.made_points(obj)[1], (12, 27, 0), atol=0.5)
+        self.cancel()
+
+    def test_other_sources_replace_own_points(self):
+        obj, panel = self.spline()
         click(panel.pick, panel.pick.rect().center())
         click_at((30, 20, 0))
         key(QtCore.Qt.Key_Enter)

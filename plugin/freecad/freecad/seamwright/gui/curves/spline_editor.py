@@ -233,7 +233,7 @@ class SplineEditor:
     def pick(self, ended):
         """Let clicks in the view add points; ``ended`` is that of PointPicker.
 
-        Returns False where there is no 3D view. Raises ValueError for a bad text of the panel.
+        Returns False where there is no 3D view.
         """
         if self._events is None:
             return False

@@ -94,12 +94,12 @@ class SplinePanel(CurvePanel):
     # What the editor asks for.
 
     def spline_values(self):
-        """Return the {argument: value} of the fields. Raises ValueError for a bad text."""
+        """Return the {argument: value} of the fields; the last numbers where a text is bad."""
         values = {}
         for argument, field in self.options.fields.items():
             used = field.option.used
             if used is None or used({"family": self.options.fields["family"].value()}):
-                values[argument] = field.value()
+                values[argument] = field.last_value()
             else:
                 values[argument] = field.option.default
         return values
@@ -154,10 +154,7 @@ class SplinePanel(CurvePanel):
             self.table.show_points(self.editor.given, [values[name] for name in names])
 
     def _change(self, values):
-        try:
-            self.keep_values({**self.spline_values(), **values})
-        except ValueError as error:  # a text of the panel is no list of numbers
-            self.say(str(error))
+        self.keep_values({**self.spline_values(), **values})
 
     def _move(self, place, point):
         self.keep_values(self.editor.with_point(self.spline_values(), place, point))
@@ -170,11 +167,7 @@ class SplinePanel(CurvePanel):
         if not picks:
             self._end_pick()
             return
-        try:
-            started = self.editor.pick(self._picked)
-        except ValueError as error:  # a text of the panel is no list of numbers
-            started = False
-            self.say(str(error))
+        started = self.editor.pick(self._picked)
         self.box.picked.setVisible(started)
         if started and not self._has_points():
             self.say("")  # there is nothing but what is picked

@@ -26,8 +26,6 @@ LARGEST = 1e9
 #: Letters of a choice that a narrow panel still shows.
 LEAST_LETTERS = 9
 
-BAD_TEXT = "color: %s"
-
 
 class Field(QtCore.QObject):
     """The widget of one option of an object; ``changed`` is emitted when its value changes."""
@@ -51,6 +49,10 @@ class Field(QtCore.QObject):
     def value(self):
         """Return the value of the field. Raises ValueError where there is none."""
         raise NotImplementedError
+
+    def last_value(self):
+        """Return the value of the field, or its last one where it has none."""
+        return self.value()
 
     def show_value(self, value):
         """Show a value."""
@@ -152,7 +154,7 @@ class NumbersField(Field):
     """
 
     def _make(self, obj):
-        self._obj = obj
+        self._obj, self._last = obj, self.option.default
         widget = QtWidgets.QLineEdit()
         widget.textChanged.connect(self._emit)
         widget.editingFinished.connect(self._show_computed)
@@ -163,10 +165,18 @@ class NumbersField(Field):
         try:
             numbers = self._numbers()
         except ValueError:
-            self.widget.setStyleSheet(BAD_TEXT % ink.ink(ink.WRONG, self.widget).name())
+            self.widget.setStyleSheet(ink.style(ink.WRONG, self.widget))
             raise
         self.widget.setStyleSheet("")
+        self._last = numbers
         return numbers
+
+    def last_value(self):
+        """Return the numbers of the last text that was a list of numbers."""
+        try:
+            return self.value()
+        except ValueError:
+            return self._last
 
     def _numbers(self):
         text = self.widget.text()
