@@ -90,7 +90,8 @@ std::string holeText(const FillReason& reason) {
     case FillFault::Cusp:
       return cornerText(reason,
                         fmt::format("it is a cusp, with an angle of {:.3g} degrees, which no "
-                                    "regular face has: cut it off by another edge",
+                                    "smooth face can fill: trim the tip off, so that a short "
+                                    "edge takes its place",
                                     reason.number("angle_deg")));
     case FillFault::CornerTooWide:
       return cornerText(reason,

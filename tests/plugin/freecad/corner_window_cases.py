@@ -134,7 +134,11 @@ class Rounding(CornerWindow):
     def test_a_corner_that_is_not_supported_says_why(self):
         can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
         self.doc.recompute()
-        obj, panel = self.start("Vertex1", source=can)
+        obj, _ = self.start("Vertex1", source=can)
+        self.assertIsNone(obj)
+        self.assertEqual(messages(), ["2 edges meet at the vertex: 3 to 6 are needed."])
+        obj, panel = self.start()
+        self.use(panel, "Vertex", (can, "Vertex1"))
         self.assertIn("2 edges meet at the vertex", panel.summary.text())
         self.assertEqual(panel.edges.rowCount(), 0)
         self.ok()
@@ -235,6 +239,10 @@ class Rounding(CornerWindow):
             self.start(*names)
             (text,) = messages()
             self.assertIn(found, text)
+        sheet = models.add(self.doc, Part.makePlane(9, 9), "Sheet")
+        self.doc.recompute()
+        self.run_selected([(sheet, "Vertex1")])
+        self.assertEqual(messages(), ["Vertex1 is in no shell of a solid: one is needed."])
         with mock.patch.dict(sys.modules, seamwright=None):
             self.start()
         (text,) = messages()

@@ -118,6 +118,17 @@ class Filling(FillWindow):
         self.assertEqual(
             (chosen.ObjectName, set(chosen.SubElementNames)), ("Block", set(self.loops[1]))
         )
+        seen = [camera()]
+        panel.after.setChecked(True)
+        for place in (2, 0):
+            item = panel.holes.item(place)
+            click(
+                panel.holes.viewport(),
+                panel.holes.visualItemRect(item).center() + QtCore.QPoint(30, 0),
+            )
+            seen.append(camera())
+        self.assertEqual(len(set(seen)), 3)
+        picture("fill-hole")
         self.cancel()
         self.assertEqual((self.made(), self.visible()), ([], ["Block"]))
 

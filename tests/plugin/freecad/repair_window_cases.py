@@ -426,6 +426,13 @@ class Choosing(RepairWindow):
         self.assertIsNone(obj)
         self.assertIn("Found: Panel, Box.", text)
 
+    def test_a_vertex_is_one_message(self):
+        obj, _ = self.start((self.source, "Edge1"), (self.source, "Vertex2"))
+        self.assertIsNone(obj)
+        self.assertEqual(
+            messages(), ["Panel.Vertex2 is a vertex: select edges, or the whole object."]
+        )
+
     def test_a_missing_kernel_is_one_message(self):
         with mock.patch.dict(sys.modules, seamwright=None):
             obj, _ = self.start()

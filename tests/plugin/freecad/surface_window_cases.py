@@ -209,7 +209,7 @@ class Panel(SurfaceWindow):
         self.assertEqual(panel.summary.styleSheet(), "")
         for name in ("start_tension", "end_tension"):
             self.set_field(panel, name, 5.0)
-        self.assertIn("but the surface folds over", panel.summary.text())
+        self.assertIn("but the surface turns back", panel.summary.text())
         self.assertIn("color", panel.summary.styleSheet())
         whole_window("surface-fold")
         for name in ("start_tension", "end_tension"):

@@ -129,7 +129,7 @@ def test_a_blend_that_folds_says_so_although_its_seams_have_their_level():
     found = report(MET, fold={"distance_mm": 17.1745})
     assert surface_text.folds(found) and not surface_text.folds(report(MET))
     assert surface_text.summary({**found, **surface_text.largest(found["seams"])}).startswith(
-        "Every seam has its level, but the surface folds over 17.2 mm from the start; less "
+        "Every seam has its level, but the surface turns back 17.2 mm from the start; less "
         "tension may help: gap"
     )
 

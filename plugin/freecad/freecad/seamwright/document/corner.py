@@ -182,6 +182,22 @@ def corner_of(obj):
     return _names(edges), lengths, ""
 
 
+def refusal(source, vertex):
+    """Return why no radii can round the corner at a vertex of an object, "Vertex6"; "" where some
+    may.
+
+    Raises SourceError for an object without faces and for a vertex that it does not have.
+    """
+    module = kernel.load(Part.OCC_VERSION)
+    shape = sources.world_shape(source)
+    number = elements.checked_number(source, shape, vertex, "Vertex")
+    try:
+        module.Model.from_freecad(shape).corner_edges(number)
+    except (module.ModelError, ValueError) as error:
+        return repair_text.named(str(error))
+    return ""
+
+
 def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     """Round the edges at a vertex: add a Corner Fillet, compute it and return it.
 

@@ -107,11 +107,12 @@ def numbers(obj, shape, name, kind):
                 name=name, label=link[0].Label, source=obj.Source.Label
             )
         )
+    return [checked_number(obj.Source, shape, element, kind) for element in names(obj, name)]
+
+
+def checked_number(source, shape, element, kind):
+    """Return 3 for "Face3" of an object with this shape. Raises SourceError for anything else."""
     count = len(getattr(shape, KINDS[kind]))
-    return [_number(obj.Source, element, kind, count) for element in names(obj, name)]
-
-
-def _number(source, element, kind, count):
     digits = element[len(kind) :] if element.startswith(kind) else ""
     if any(element.startswith(other) for other in KINDS if other != kind):
         raise sources.SourceError(

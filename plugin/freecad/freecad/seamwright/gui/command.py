@@ -39,11 +39,14 @@ class Command:
         """Run the command; where the selection does not suit it, show why."""
         try:
             self.run(App.ActiveDocument)
-        except sources.SourceError as error:
+        except (sources.SourceError, kernel.KernelUnavailable) as error:
             messages.show_error(str(error))
 
     def run(self, doc):
-        """Run the command in the active document. Raises SourceError for an unsuitable object."""
+        """Run the command in the active document.
+
+        Raises SourceError for an unsuitable object, KernelUnavailable without the compiled part.
+        """
         raise NotImplementedError
 
 

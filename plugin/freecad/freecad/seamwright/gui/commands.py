@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis, corner, fill, match, repair, sources
 from freecad.seamwright.gui.analysis import export_dialog
+from freecad.seamwright.gui.base.option_panel import sentence
 from freecad.seamwright.gui.command import Command, begin, open_new
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.selected import (
@@ -188,6 +189,10 @@ class CornerFillet(Command):
                     or tr("no vertex")
                 )
             )
+            return
+        reason = corner.refusal(*vertices[0])
+        if reason:
+            messages.show_error(sentence(reason))
             return
         open_new(begin(doc, tr("Corner fillet"), lambda: corner.prepare(*vertices[0])))
 

@@ -14,6 +14,7 @@ import Part
 from freecad.seamwright.document import analysis, sources
 from freecad.seamwright.gui.base.picked import picked, picked_objects
 from freecad.seamwright.plain import rows
+from freecad.seamwright.plain.language import tr
 
 
 def selected_sources(doc):
@@ -59,7 +60,7 @@ def selected_seams(doc):
 
     The lines of an analysis count as the edges on which they lie, and the rows that are chosen in
     its panel as their edges. Without a selection, these are all that suit. Raises SourceError for
-    an object without faces.
+    an object without faces, and for a vertex.
     """
     return picked_seams(doc) or [(obj, "") for obj in sources.everything(doc)]
 
@@ -76,8 +77,19 @@ def picked_seams(doc):
             found += _edges_of_lines(obj, edges) or [(each, "") for each in obj.Analysed]
         else:
             sources.world_shape(obj)
+            _refuse_vertices(obj, names)
             found += [(obj, edge) for edge in edges or [""]]
     return found
+
+
+def _refuse_vertices(obj, names):
+    for name in names:
+        if name.startswith("Vertex"):
+            raise sources.SourceError(
+                tr("{name} is a vertex: select edges, or the whole object.").format(
+                    name="%s.%s" % (obj.Label, name)
+                )
+            )
 
 
 def _picked_names():

@@ -224,14 +224,16 @@ def edges_text(seam):
 
 
 def named(text):
-    """Return a sentence of the kernel with faces and edges as the user reads them: "Face3"."""
+    """Return a sentence of the kernel with elements as the user reads them: "Face3"."""
     text = re.sub(
         r"\bedges (\d+(?:(?:, | and )\d+)+)\b",
         lambda found: re.sub(r"\d+", lambda number: "Edge" + number.group(), found.group(1)),
         text,
     )
     return re.sub(
-        r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text
+        r"\b(face|edge|vertex) (\d+)\b",
+        lambda found: found.group(1).capitalize() + found.group(2),
+        text,
     )
 
 

@@ -124,7 +124,7 @@ def summary(report):
     figures = ", ".join(_decided(report["seams"]))
     state = tr("Every seam has its level") if report["reached"] else _shortcomings(report)
     if report["reached"] and folds(report):
-        state += tr(", but the surface folds over {distance_mm} mm from the start; less tension "
+        state += tr(", but the surface turns back {distance_mm} mm from the start; less tension "
                     "may help").format(distance_mm=enclosure.number(report["fold"]["distance_mm"]))
     length = ""
     if report["to"]:

@@ -21,7 +21,9 @@ class HoleList(QtWidgets.QListWidget):
     def __init__(self):
         super().__init__()
         self.holes = []
-        self.setToolTip(tr("Ticked holes are filled. Click a hole to select its edges."))
+        self.setToolTip(
+            tr("Ticked holes are filled. Click a hole to see it and to select its edges.")
+        )
         self.setWordWrap(True)
         self.setFixedHeight(LINES * (self.fontMetrics().height() + 6))
         self.itemChanged.connect(self._ticked)

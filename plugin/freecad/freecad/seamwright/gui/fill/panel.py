@@ -60,8 +60,13 @@ class FillPanel(NewSeamsPanel):
         )
         self.allow.clicked.connect(lambda *_: self._allow())
         self.holes.changed.connect(self.changed)
-        self.holes.clicked_edges.connect(self.select_in_source)
+        self.holes.clicked_edges.connect(self._show_hole)
         self.pick.clicked.connect(lambda *_: self.holes.choose_by(self._picked()))
+
+    def _show_hole(self, names):
+        """Select the edges of a hole if the source is shown, and turn the view to them."""
+        self.select_in_source(names)
+        seam_view.look_at_edges(self.links(SOURCE)[0][0], names)
 
     def list_parts(self):
         """List the holes, with a tick at those that are filled."""

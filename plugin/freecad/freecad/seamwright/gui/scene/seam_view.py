@@ -58,6 +58,21 @@ def look_at(obj, report, seams, size, lines):
     camera.look_at(view, box, CONTEXT * size, _location(obj, report, seams[0], lines[0]))
 
 
+def look_at_edges(source, names):
+    """Turn and zoom the view to edges of an object, ["Edge3", ...]."""
+    view = _view_of(source.Document)
+    if view is None:
+        return
+    shape = sources.world_shape(source)
+    edges = [shape.getElement(name) for name in names]
+    box = App.BoundBox()
+    for edge in edges:
+        box.add(edge.BoundBox)
+    beside = [face for face in shape.Faces if any(each.isSame(edges[0]) for each in face.Edges)]
+    least_height = CONTEXT * shape.BoundBox.DiagonalLength
+    camera.look_at(view, box, least_height, _middle(polyline(edges[0]), beside))
+
+
 def worst_marks(report, seams):
     """Return [(point, label), ...] of the worst points of seams."""
     return [
@@ -116,7 +131,14 @@ def find(doc, name, element):
 
 
 def _location(obj, report, seam, line):
-    """Return (point, outward normal or None, tangent) at the middle of the line of a seam.
+    """Return (point, outward normal or None, tangent) at the middle of the line of a seam."""
+    owners = [rows.owner_of(report, "faces", number) for number in seam["faces"]]
+    faces = [find(obj.Document, *owner) for owner in owners if owner]
+    return _middle(line, [face for face in faces if face is not None])
+
+
+def _middle(line, faces):
+    """Return (point, outward normal or None, tangent) at the middle of a line beside faces.
 
     The normal is the mean of the normals of the faces; None where they cancel or are unknown.
     """
@@ -125,12 +147,9 @@ def _location(obj, report, seam, line):
     point, tangent = (before + after) / 2, after - before
     if tangent.Length > 0:
         tangent.normalize()
-    owners = [rows.owner_of(report, "faces", number) for number in seam["faces"]]
-    faces = [find(obj.Document, *owner) for owner in owners if owner]
     total = App.Vector()
     for face in faces:
-        if face is not None:
-            total += _normal(face, point)
+        total += _normal(face, point)
     return point, total.normalize() if total.Length > 0.1 else None, tangent
 
 

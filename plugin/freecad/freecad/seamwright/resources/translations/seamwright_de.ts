@@ -1045,8 +1045,8 @@ Gezeigt: {show}</translation>
         <translation>, höchstens {distance_mm} mm von der Spirale</translation>
     </message>
     <message>
-        <source>, but the surface folds over {distance_mm} mm from the start; less tension may help</source>
-        <translation>, aber die Fläche faltet sich {distance_mm} mm vom Anfang; weniger Spannung kann helfen</translation>
+        <source>, but the surface turns back {distance_mm} mm from the start; less tension may help</source>
+        <translation>, aber die Fläche kehrt {distance_mm} mm vom Anfang um; weniger Spannung kann helfen</translation>
     </message>
     <message>
         <source>, curvature at most {curvature_rel} %</source>
@@ -2869,8 +2869,8 @@ Gezeigt: {show}</translation>
         <translation>Durch {points} Punkte, {figures}.</translation>
     </message>
     <message>
-        <source>Ticked holes are filled. Click a hole to select its edges.</source>
-        <translation>Angekreuzte Löcher werden gefüllt. Ein Klick auf ein Loch wählt seine Kanten aus.</translation>
+        <source>Ticked holes are filled. Click a hole to see it and to select its edges.</source>
+        <translation>Angehakte Löcher werden gefüllt. Ein Klick auf ein Loch zeigt es und wählt seine Kanten.</translation>
     </message>
     <message>
         <source>To Sketch</source>
@@ -3757,8 +3757,8 @@ Gezeigt: {show}</translation>
         <translation>die Kanten liegen nur auf einem kurzen Stück nebeneinander</translation>
     </message>
     <message>
-        <source>the edges meet where the curve would be: choose other ends</source>
-        <translation>die Kanten treffen sich, wo die Kurve wäre: Wählen Sie andere Enden</translation>
+        <source>the edges meet where the curve would be: choose other ends, or other edges</source>
+        <translation>die Kanten treffen sich dort, wo die Kurve wäre: andere Enden oder andere Kanten wählen</translation>
     </message>
     <message>
         <source>the edges of {name} were deleted: {advice}</source>
@@ -4469,6 +4469,10 @@ Gezeigt: {show}</translation>
         <translation>{name} hat {numbers} für die {edges} Kanten der Ecke ({names}): Geben Sie für jede eine an, oder eine für alle</translation>
     </message>
     <message>
+        <source>{name} is a vertex: select edges, or the whole object.</source>
+        <translation>{name} ist ein Eckpunkt: Kanten oder das ganze Objekt wählen.</translation>
+    </message>
+    <message>
         <source>{name} is no edge: {needs}</source>
         <translation>{name} ist keine Kante: {needs}</translation>
     </message>
@@ -4507,6 +4511,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{name}: the largest value is {seam}, {known}.</source>
         <translation>{name}: Der größte Wert ist {seam}, {known}.</translation>
+    </message>
+    <message>
+        <source>{number} is kept.</source>
+        <translation>{number} bleibt.</translation>
     </message>
     <message>
         <source>{objects} selected: {needs}</source>
@@ -4633,6 +4641,10 @@ Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
     <message>
         <source>“{label}” is {angle:g}°: at most 90° is needed</source>
         <translation>„{label}“ ist {angle:g}°: höchstens 90° ist nötig</translation>
+    </message>
+    <message>
+        <source>“{text}” is no such number: {kept} is kept.</source>
+        <translation>„{text}“ ist keine solche Zahl: {kept} bleibt.</translation>
     </message>
     <message>
         <source>“{text}” is not a list of numbers: write them with blanks or semicolons, such as 0; 0; 50.</source>

@@ -1044,7 +1044,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>, but the surface folds over {distance_mm} mm from the start; less tension may help</source>
+        <source>, but the surface turns back {distance_mm} mm from the start; less tension may help</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2866,7 +2866,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ticked holes are filled. Click a hole to select its edges.</source>
+        <source>Ticked holes are filled. Click a hole to see it and to select its edges.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3754,7 +3754,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the edges meet where the curve would be: choose other ends</source>
+        <source>the edges meet where the curve would be: choose other ends, or other edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4466,6 +4466,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{name} is a vertex: select edges, or the whole object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name} is no edge: {needs}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4503,6 +4507,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{name}: the largest value is {seam}, {known}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number} is kept.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4628,6 +4636,10 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>“{label}” is {angle:g}°: at most 90° is needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{text}” is no such number: {kept} is kept.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

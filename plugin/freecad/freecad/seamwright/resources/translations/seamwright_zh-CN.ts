@@ -1045,8 +1045,8 @@ Shown: {show}</source>
         <translation>，距螺旋线最多 {distance_mm} mm</translation>
     </message>
     <message>
-        <source>, but the surface folds over {distance_mm} mm from the start; less tension may help</source>
-        <translation>，但曲面在距起始边 {distance_mm} mm 处折叠；减小张力可能有帮助</translation>
+        <source>, but the surface turns back {distance_mm} mm from the start; less tension may help</source>
+        <translation>，但曲面在距起点 {distance_mm} mm 处折回；减小张力可能有帮助</translation>
     </message>
     <message>
         <source>, curvature at most {curvature_rel} %</source>
@@ -2869,8 +2869,8 @@ Shown: {show}</source>
         <translation>通过 {points} 个点，{figures}。</translation>
     </message>
     <message>
-        <source>Ticked holes are filled. Click a hole to select its edges.</source>
-        <translation>勾选的孔将被填充。单击某个孔可选择其边。</translation>
+        <source>Ticked holes are filled. Click a hole to see it and to select its edges.</source>
+        <translation>勾选的孔将被填充。单击一个孔可查看它并选择其边。</translation>
     </message>
     <message>
         <source>To Sketch</source>
@@ -3757,8 +3757,8 @@ Shown: {show}</source>
         <translation>这些边只有很短一段并排</translation>
     </message>
     <message>
-        <source>the edges meet where the curve would be: choose other ends</source>
-        <translation>边在曲线所在处相交：请选择其他端点</translation>
+        <source>the edges meet where the curve would be: choose other ends, or other edges</source>
+        <translation>两条边在曲线所在处相交：请选择其他端点或其他边</translation>
     </message>
     <message>
         <source>the edges of {name} were deleted: {advice}</source>
@@ -4469,6 +4469,10 @@ Shown: {show}</source>
         <translation>{name} 有{numbers}，拐角有 {edges} 条边({names})：请为每条给出一个，或所有共用一个</translation>
     </message>
     <message>
+        <source>{name} is a vertex: select edges, or the whole object.</source>
+        <translation>{name} 是顶点：请选择边或整个对象。</translation>
+    </message>
+    <message>
         <source>{name} is no edge: {needs}</source>
         <translation>{name} 不是边：{needs}</translation>
     </message>
@@ -4507,6 +4511,10 @@ Shown: {show}</source>
     <message>
         <source>{name}: the largest value is {seam}, {known}.</source>
         <translation>{name}：最大值为 {seam}，{known}。</translation>
+    </message>
+    <message>
+        <source>{number} is kept.</source>
+        <translation>保留 {number}。</translation>
     </message>
     <message>
         <source>{objects} selected: {needs}</source>
@@ -4633,6 +4641,10 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <message>
         <source>“{label}” is {angle:g}°: at most 90° is needed</source>
         <translation>“{label}”为 {angle:g}°：最多 90°</translation>
+    </message>
+    <message>
+        <source>“{text}” is no such number: {kept} is kept.</source>
+        <translation>“{text}”不是有效的数值：保留 {kept}。</translation>
     </message>
     <message>
         <source>“{text}” is not a list of numbers: write them with blanks or semicolons, such as 0; 0; 50.</source>
