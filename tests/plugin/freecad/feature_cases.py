@@ -5,12 +5,13 @@ import os
 import re
 import tempfile
 import zipfile
+from unittest import mock
 
 import FreeCAD as App
 from document_cases import ABSENT, DocumentCase
 
 from freecad.seamwright.document import analysis, corner, feature, fill, match, repair
-from freecad.seamwright.document.curves import curve
+from freecad.seamwright.document.curves import curve, kinds
 from freecad.seamwright.document.curves.kinds import KINDS
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.document.surfaces.kinds import KINDS as SURFACES
@@ -46,6 +47,20 @@ PATHS = {
     "MatchSurfaces": "freecad.seamwright.document.match",
     "SeamRepair": "freecad.seamwright.document.repair",
 }
+
+
+class Computing(DocumentCase):
+    def test_an_unexpected_error_leaves_no_earlier_result(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        made = kinds.create("BridgeCurve", [(box, "Edge1"), (box, "Edge7")])
+        self.assertEqual((made.Outcome, made.Shape.isNull()), (feature.DONE, False))
+        with mock.patch.object(type(made.Proxy), "compute", side_effect=KeyError("lost")):
+            made.touch()
+            self.doc.recompute()
+        self.assertEqual((made.Outcome, made.Shape.isNull()), (feature.WITHOUT, True))
+        self.assertIn("nexpected error: KeyError('lost')", made.Summary)
+        self.assertIn("Invalid", made.State)
 
 
 class Proxies(DocumentCase):

@@ -171,8 +171,8 @@ class Feature:
     def execute(self, obj):
         """Compute, or take over what was computed; ``Outcome`` and Summary tell how it ended.
 
-        Where the source cannot be used or the kernel is missing, FreeCAD also marks the object as
-        invalid.
+        Where the source cannot be used, the kernel is missing, or after an unexpected error, FreeCAD
+        also marks the object as invalid.
         """
         if self.is_kept:
             return
@@ -185,6 +185,9 @@ class Feature:
             self._store_none(obj, error)
         except (sources.SourceError, module.ModelError) as error:
             raise Unusable(self._store_none(obj, error)) from None
+        except Exception as error:  # a fault of the program: no earlier result stays for a new one
+            self._store_none(obj, tr("unexpected error: {error}").format(error=repr(error)))
+            raise
         else:
             obj.Outcome = DONE if self.has_result(report) else WITHOUT
             self.store(obj, report, *rest)

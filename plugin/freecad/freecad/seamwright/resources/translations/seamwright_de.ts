@@ -3909,6 +3909,10 @@ Gezeigt: {show}</translation>
         <translation>nicht definiert</translation>
     </message>
     <message>
+        <source>unexpected error: {error}</source>
+        <translation>unerwarteter Fehler: {error}</translation>
+    </message>
+    <message>
         <source>values beyond have the end colours</source>
         <translation>Werte darüber hinaus haben die Endfarben</translation>
     </message>

@@ -3906,6 +3906,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>unexpected error: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>values beyond have the end colours</source>
         <translation type="unfinished"></translation>
     </message>

@@ -3909,6 +3909,10 @@ Shown: {show}</source>
         <translation>未定义</translation>
     </message>
     <message>
+        <source>unexpected error: {error}</source>
+        <translation>意外错误：{error}</translation>
+    </message>
+    <message>
         <source>values beyond have the end colours</source>
         <translation>超出范围的值使用两端的颜色</translation>
     </message>
