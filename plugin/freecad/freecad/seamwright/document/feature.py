@@ -171,8 +171,8 @@ class Feature:
     def execute(self, obj):
         """Compute, or take over what was computed; ``Outcome`` and Summary tell how it ended.
 
-        Where the source cannot be used, the kernel is missing, or after an unexpected error, FreeCAD
-        also marks the object as invalid.
+        Where the source cannot be used or the kernel is missing, and after an unexpected error,
+        FreeCAD also marks the object as invalid.
         """
         if self.is_kept:
             return
