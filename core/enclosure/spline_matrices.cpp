@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
+#include <mutex>
 
 #include <seamwright/core/enclosure/spline_matrices.hpp>
 
@@ -31,17 +32,13 @@ SplineMatrix makeBezierToChebyshev(int degree) {
   return matrix;
 }
 
-std::array<SplineMatrix, max_spline_degree + 1> bezierTables() {
-  std::array<SplineMatrix, max_spline_degree + 1> tables;
-  for (int degree = 0; degree <= max_spline_degree; ++degree)
-    tables[degree] = makeBezierToChebyshev(degree);
-  return tables;
-}
-
 }  // namespace
 
 const SplineMatrix& bezierToChebyshev(int degree) {
-  static const std::array<SplineMatrix, max_spline_degree + 1> tables = bezierTables();
+  // Most models need few degrees, and the table of a high one takes long.
+  static std::array<std::once_flag, max_spline_degree + 1> made;
+  static std::array<SplineMatrix, max_spline_degree + 1> tables;
+  std::call_once(made[degree], [&] { tables[degree] = makeBezierToChebyshev(degree); });
   return tables[degree];
 }
 

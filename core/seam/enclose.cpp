@@ -111,6 +111,7 @@ class Enclosure {
   double excess(const Piece& piece) const;
   bool isOnOneSide(const PieceBound& relative_curvature) const;
   bool isSettled(const Piece& piece) const;
+  std::vector<double> partsOf(const Piece& piece) const;
 
   SideEvaluator a_;
   SideEvaluator b_;
@@ -121,6 +122,7 @@ class Enclosure {
   std::array<double, Quantities> lower_{};  ///< largest values found so far
   std::array<double, Quantities> at_{};     ///< where they are
   double curvature_norm_ = 0;               ///< largest norm found so far
+  double left_out_lower_ = 0;               ///< largest relative curvature found that is left out
   int looks_ = 0;                           ///< number of pieces measured
   int cuts_ = 0;                            ///< number of cuts at knot lines
   bool exhausted_ = false;
@@ -175,7 +177,10 @@ bool Enclosure::isSettled(const Piece& piece) const {
   if (across && (!sharp || folds(piece) || piece.width() > 0.01)) return false;
   if (!isEnough(Angle, f.angle_rad.upper)) return false;
   if (sharp || isVerdictBelowG2()) return std::isfinite(f.angle_rad.upper);
-  if (piece.curvature_left_out) return f.curvature_rel && isOnOneSide(*f.curvature_rel);
+  if (piece.curvature_left_out)
+    return left_out_lower_ > tolerance_.curvature_rel ||
+           (f.curvature_rel && isOnOneSide(*f.curvature_rel)) ||
+           isAtPole(piece, degenerate_, length_a_);
   if (!f.curvature_per_mm || !isEnough(Curvature, f.curvature_per_mm->upper) ||
       !isEnough(RelativeCurvature, f.curvature_rel->upper))
     return false;
@@ -224,7 +229,11 @@ void Enclosure::see(const Piece& piece) {
   see(Gap, piece.figures.gap_mm, piece);
   if (piece.left_out) return;
   see(Angle, piece.figures.angle_rad, piece);
-  if (piece.curvature_left_out) return;
+  if (piece.curvature_left_out) {
+    if (const auto& relative = piece.figures.curvature_rel)
+      left_out_lower_ = std::max(left_out_lower_, relative->lower);
+    return;
+  }
   curvature_norm_ = std::max(curvature_norm_, piece.figures.curvature_norm_per_mm);
   if (!piece.figures.curvature_per_mm) return;
   see(Curvature, *piece.figures.curvature_per_mm, piece);
@@ -330,12 +339,34 @@ void Enclosure::lookAtGap(double from, double to) {
   pieces_.push_back(piece);
 }
 
+/// The ends of the parts into which a piece is cut: two halves, but towards a pole at an end of the
+/// seam parts that are each as long as their distance to it. Near a pole only such parts have
+/// bounds.
+std::vector<double> Enclosure::partsOf(const Piece& piece) const {
+  std::vector<double> ends = {piece.from, piece.to};
+  const auto& relative = piece.figures.curvature_rel;
+  const bool has_bounds = std::isfinite(piece.excess) &&
+                          (!relative || relative->upper < largest_relative_difference);
+  const auto grade = [&](double nearest, double farthest, double end) {
+    double distance = std::max(2 * nearest, pole_piece);
+    for (; distance < farthest / 1.5; distance *= 2)
+      ends.push_back(end == 0 ? distance : 1 - distance);
+  };
+  if (!has_bounds && curvature_range_.lower > 0 && piece.to > 2 * piece.from)
+    grade(piece.from, piece.to, 0);
+  else if (!has_bounds && curvature_range_.upper < 1 && 1 - piece.from > 2 * (1 - piece.to))
+    grade(1 - piece.to, 1 - piece.from, 1);
+  if (ends.size() == 2) ends.push_back(piece.at(0));
+  std::ranges::sort(ends);
+  return ends;
+}
+
 /// If no part of a cut is much better than the whole, rounding has stalled the piece. Next to a
 /// kink of a figure one part is better.
 void Enclosure::cut(const Piece& piece) {
   const std::size_t first = pieces_.size();
-  look(piece.from, piece.at(0));
-  look(piece.at(0), piece.to);
+  const std::vector<double> ends = partsOf(piece);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) look(ends[i], ends[i + 1]);
   const auto parts = std::span(pieces_).subspan(first);
   const bool better = std::ranges::any_of(
       parts, [&](const Piece& part) { return part.excess <= 0.5 * piece.excess; });

@@ -39,7 +39,6 @@ class Figures {
   void addFigures(const Summary& sum, SeamFigures& figures) const;
   double planeShare() const;
   Interval belowCreaseShare() const;
-  bool isAtPole(const Piece& piece) const;
   void addLeftOut(SeamFigures& figures) const;
   std::string whyUncertified(const Summary& sum, const SeamFigures& figures,
                              bool is_crease_known) const;
@@ -49,17 +48,6 @@ class Figures {
   const ContinuityTolerance& tolerance_;
   const Interval range_;
 };
-
-/// Whether the piece is too near a point without tangent plane or without curvature to be
-/// distinguished from it.
-bool Figures::isAtPole(const Piece& piece) const {
-  if (piece.left_out) return true;
-  const auto is_near = [&](double pole) {
-    return length_a_.isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
-  };
-  return std::ranges::any_of(seam_.degenerate,
-                             [&](const DegeneratePoint& point) { return is_near(point.at); });
-}
 
 void Figures::addLeftOut(SeamFigures& figures) const {
   const auto add = [&](LeftOut& left_out, const Piece& piece, double upper) {
@@ -76,7 +64,7 @@ void Figures::addLeftOut(SeamFigures& figures) const {
     if (!figures.curvature_rel || !(piece.left_out || piece.curvature_left_out)) continue;
     const auto& curvature = piece.figures.curvature_rel;
     double upper = infinite;
-    if (in_range && isAtPole(piece))
+    if (in_range && (piece.left_out || isAtPole(piece, seam_.degenerate, length_a_)))
       upper = 0;
     else if (in_range && curvature)
       upper = curvature->upper;
@@ -226,6 +214,13 @@ SeamFigures Figures::all() const {
 }
 
 }  // namespace
+
+bool isAtPole(const Piece& piece, std::span<const DegeneratePoint> poles,
+              const SideLength& length) {
+  return std::ranges::any_of(poles, [&](const DegeneratePoint& pole) {
+    return length.isShort(std::min(piece.from, pole.at), std::max(piece.to, pole.at), pole_piece);
+  });
+}
 
 SeamFigures figuresOf(SeamPieces seam, const SideLength& length_a, const SideLength& length_b,
                       const FigureOptions& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <seamwright/core/numeric.hpp>
@@ -40,6 +41,10 @@ struct Piece {
 inline bool folds(const Piece& piece, bool faces_on_one_side) {
   return piece.figures.sense != 0 && faces_on_one_side == (piece.figures.sense > 0);
 }
+
+/// Whether a piece is too near a point without tangent plane or without curvature to be
+/// distinguished from it.
+bool isAtPole(const Piece& piece, std::span<const DegeneratePoint> poles, const SideLength& length);
 
 struct SeamPieces {
   std::vector<Piece> pieces;               ///< they cover the seam, in any order

@@ -11,7 +11,7 @@ namespace seamwright {
 double SideLength::whole_mm() const {
   if (whole_mm_) return *whole_mm_;
   // A choice: the length is the unit of shares that are powers of 2, so some percent do not matter.
-  constexpr int chords = 64;
+  constexpr int chords = 16;
   std::optional<Eigen::Vector3d> before;
   whole_mm_ = 0;
   for (int i = 0; i <= chords; ++i) {

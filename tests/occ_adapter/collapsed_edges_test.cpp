@@ -222,6 +222,20 @@ TEST(CollapsedEdges, OfSmoothFacesVerdictsAreCertainUpToThePoint) {
     }
 }
 
+TEST(CollapsedEdges, TheWayToThePointTakesFewPieces) {
+  // Halving would take twenty times two pieces from the middle to 2^-20 of the seam, and from there
+  // as many up to where rounding ends.
+  const TopoDS_Shape dome = BRepBuilderAPI_NurbsConvert(turnedSpline(), true).Shape();
+  std::vector<TopoDS_Shape> shapes = {dome};
+  for (const double scatter : {0.0, 1e-12, 1e-9})
+    shapes.push_back(sewn(fan(-1, 0.01, 0.25), fan(1, 0, 0.25, scatter)));
+  for (const TopoDS_Shape& shape : shapes)
+    for (const Seam& seam : occ::findSeams(shape).seams) {
+      const SeamResult result = occ::measureSeam(seam, {});
+      EXPECT_LE(result.figures.points, 45) << describe(result);
+    }
+}
+
 TEST(CollapsedEdges, ScatteredPolesLeaveOutAnIntervalThatCountsIfItIsLongerThanTheGapAccepted) {
   AnalyzeOptions options;
   options.tolerance.angle_rad =
