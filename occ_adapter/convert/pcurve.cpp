@@ -2,12 +2,20 @@
 #include <fmt/format.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRep_CurveRepresentation.hxx>
+#include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <Extrema_GenLocateExtPS.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
 #include <Precision.hxx>
+#include <ProjLib.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
@@ -115,6 +123,42 @@ Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS
   return rebuilt;
 }
 
+bool storesPcurve(const TopoDS_Edge& edge, const opencascade::handle<Geom_Surface>& surface,
+                  const TopLoc_Location& location) {
+  const auto shape = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
+  const TopLoc_Location on_edge = location.Predivided(edge.Location());
+  return std::ranges::any_of(shape->Curves(), [&](const auto& each) {
+    return each->IsCurveOnSurface(surface, on_edge);
+  });
+}
+
+/// The projection of a line or a circle that is parallel to a plane; without a curve for others.
+/// OpenCASCADE projects any curve, which takes some 20 times as long.
+Pcurve onParallelPlane(const SpaceCurve& space, const gp_Pln& plane) {
+  // A tilt scales lengths by 1 - tilt^2 / 2, which is 1 for this one.
+  constexpr double negligible_tilt_rad = 1e-9;
+  const gp_Dir& normal = plane.Axis().Direction();
+  Pcurve pcurve{nullptr, space.first, space.last, {}};
+  if (const auto line = opencascade::handle<Geom_Line>::DownCast(space.curve); !line.IsNull()) {
+    if (line->Lin().Direction().IsNormal(normal, negligible_tilt_rad))
+      pcurve.curve = new Geom2d_Line(ProjLib::Project(plane, line->Lin()));
+  } else if (const auto circle = opencascade::handle<Geom_Circle>::DownCast(space.curve);
+             !circle.IsNull()) {
+    if (circle->Circ().Axis().Direction().IsParallel(normal, negligible_tilt_rad))
+      pcurve.curve = new Geom2d_Circle(ProjLib::Project(plane, circle->Circ()));
+  }
+  return pcurve;
+}
+
+/// What onParallelPlane() finds where the face is on a plane and the edge stores no pcurve.
+Pcurve onPlane(const SpaceCurve& space, const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const auto& surface = BRep_Tool::Surface(face, location);
+  const auto plane = opencascade::handle<Geom_Plane>::DownCast(surface);
+  if (plane.IsNull() || space.curve.IsNull() || storesPcurve(edge, surface, location)) return {};
+  return onParallelPlane(space, plane->Pln().Transformed(location.Transformation()));
+}
+
 Pcurve built(const SpaceCurve& space, const TopoDS_Face& face) {
   Pcurve pcurve = projected(space, face);
   if (pcurve.curve.IsNull()) throw GeometryError("the edge has no pcurve and none could be built");
@@ -129,10 +173,11 @@ Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm)
   TopLoc_Location location;  // asked for so that a surface that is placed elsewhere is not copied
   if (BRep_Tool::Surface(face, location).IsNull())
     throw GeometryError("a face has no surface, only a mesh or nothing");
-  Pcurve stored;
-  stored.curve = BRep_Tool::CurveOnSurface(edge, face, stored.first, stored.last);
   SpaceCurve space;
   space.curve = BRep_Tool::Curve(edge, space.first, space.last);
+  if (const Pcurve pcurve = onPlane(space, edge, face); !pcurve.curve.IsNull()) return pcurve;
+  Pcurve stored;
+  stored.curve = BRep_Tool::CurveOnSurface(edge, face, stored.first, stored.last);
   if (stored.curve.IsNull() && space.curve.IsNull())
     throw GeometryError("the edge has neither a curve in space nor a pcurve");
   if (space.curve.IsNull()) return stored;

@@ -3,20 +3,26 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <ElSLib.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <TopoDS.hxx>
+#include <gp_Circ.hxx>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <sstream>
 
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -71,6 +77,40 @@ TEST(PcurveFaults, SoundOnesAreTakenAsTheyAre) {
   EXPECT_EQ(seam.note, "");
   const occ::Pcurve taken = occ::pcurveOf(model.edge, model.cylinder.shape, 0.01);
   EXPECT_EQ(taken.curve.get(), model.path().get());
+}
+
+TEST(PcurveOnPlane, IsThatOfOpenCascadeForLinesAndCirclesInAnyPlace) {
+  // A plane needs no pcurves: OpenCASCADE projects the edge.
+  std::mt19937_64 random(testSeed());
+  std::uniform_real_distribution<double> number(-50, 50);
+  const auto point = [&] { return gp_Pnt(number(random), number(random), number(random)); };
+  const auto direction = [&] { return gp_Dir(number(random), number(random), number(random)); };
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    const gp_Ax3 frame(point(), direction());
+    gp_Ax2 of_circle(ElSLib::PlaneValue(number(random), number(random), frame),
+                     i % 4 < 2 ? frame.Direction() : frame.Direction().Reversed(),
+                     frame.XDirection().Rotated(frame.Axis(), number(random)));
+    if (i % 5 == 4) of_circle.Rotate(gp_Ax1(of_circle.Location(), of_circle.XDirection()), 0.3);
+    const gp_Pnt end = ElSLib::PlaneValue(number(random), number(random), frame);
+    const TopoDS_Edge edge =
+        i % 2 == 0 ? BRepBuilderAPI_MakeEdge(gp_Circ(of_circle, 7), 0.5, 3).Edge()
+                   : BRepBuilderAPI_MakeEdge(of_circle.Location(), end).Edge();
+    TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(frame)).Face();
+    gp_Trsf placed;
+    placed.SetRotation(gp_Ax1(point(), direction()), number(random));
+    face.Location(TopLoc_Location(placed));
+    const TopoDS_Edge moved = TopoDS::Edge(edge.Moved(TopLoc_Location(placed)));
+    const occ::Pcurve found = occ::pcurveOf(moved, face, 0.01);
+    double first = 0, last = 0;
+    const Path expected = BRep_Tool::CurveOnSurface(moved, face, first, last);
+    EXPECT_EQ(found.note, "");
+    EXPECT_EQ(std::pair(found.first, found.last), std::pair(first, last));
+    for (double share = 0; share <= 1; share += 0.125) {
+      const double at = first + share * (last - first);
+      EXPECT_LE(found.curve->Value(at).Distance(expected->Value(at)), 1e-11);
+    }
+  }
 }
 
 TEST(PcurveFaults, AMissingOneIsRebuiltInMemory) {
