@@ -289,7 +289,12 @@ class AnalysisPanel:
         chosen = [self.results.seams[number] for number in numbers]
         with self.picker.paused():
             self._all_selected = seam_view.show(
-                self.obj, self.results.report, chosen, self.results.size_mm, look, self.results.lines
+                self.obj,
+                self.results.report,
+                chosen,
+                self.results.size_mm,
+                look,
+                self.results.lines,
             )
         if not self._all_selected:
             messages.say(
