@@ -550,6 +550,20 @@ class Drawing(MapWindow):
         self.assertIn("Sampled", obj.Summary)
 
 
+    def test_the_legend_says_what_is_left_out(self):
+        plate = models.add(self.doc, Part.makePlane(30, 10), "Plate")
+        small = models.add(self.doc, Part.makePlane(10, 10), "Small")
+        small.Placement.Base.z = 1
+        self.doc.recompute()
+        _, panel = self.start("Deviation", (plate, ""), (small, ""))
+        settle(0.5)
+        place = QtCore.QRect(30, 150, 50, 18)  # of the sample
+        self.assertGreater(count(picture("left-out"), ramps.UNDEFINED, place, reach=2), MANY // 2)
+        self.set_field(panel, "beyond_edges", True)
+        self.assertEqual(count(picture("none-left-out"), ramps.UNDEFINED, place, reach=2), 0)
+        self.ok()
+
+
 class Large(MapWindow):
     def test_a_switch_takes_less_than_a_fifth_of_a_second_for_a_thousand_faces(self):
         blocks = []
