@@ -564,6 +564,23 @@ class Drawing(MapWindow):
         self.ok()
 
 
+    def test_edges_under_colours_are_whole_lines(self):
+        self.block.ViewObject.Visibility = False
+        self.start("CurvatureMap", *((sheet, "") for sheet in self.sheets))
+        (edge,) = (e for e in self.sheets[0].Shape.Edges if abs(e.CenterOfMass.x) < 1e-6)
+        middle = edge.valueAt(edge.getParameterByLength(edge.Length / 2))
+        node = Gui.activeDocument().activeView().getCameraNode()
+        back = App.Rotation(*node.orientation.getValue().getValue()).multVec(App.Vector(0, 0, 1))
+        node.position.setValue(*(middle + back * node.focalDistance.getValue()))
+        node.height.setValue(edge.Length / 4)
+        settle()
+        image = picture("whole-edge")
+        columns = [QtCore.QRect(x, 0, 1, 800) for x in range(430, 1200, 10)]
+        dark = [26, 26, 26]  # coloured.EDGE_COLOUR
+        self.assertTrue(all(count(image, dark, column, reach=40) for column in columns))
+        self.ok()
+
+
 class Large(MapWindow):
     def test_a_switch_takes_less_than_a_fifth_of_a_second_for_a_thousand_faces(self):
         blocks = []
