@@ -19,6 +19,7 @@ from window import count, messages, mouse_event, pause, picture, press_key, sett
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.gui.curves.view import COLOUR
 from freecad.seamwright.gui.scene.comb import (
     COLOURS,
     EVERY,
@@ -233,6 +234,22 @@ class Combs(CurveWindow):
             settle()
             self.assertTrue(again.ViewObject.Proxy.panel.comb.isChecked())
             self.cancel()
+
+    def test_the_outline_of_the_comb_does_not_cover_the_curve(self):
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in (((0, 0, 0), (10, 0, 0)), ((40, 0.5, 9), (50, 0.5, 9)))
+        ]
+        self.doc.recompute()
+        _, panel = self.start("BridgeCurve", *lines)
+        rgb = [round(255 * each) for each in COLOUR]
+        without = count(picture("comb-without"), rgb)
+        panel.comb.setChecked(True)
+        panel.comb_scale.show_number(0.01)
+        panel.comb_scale.valueChanged.emit(0.01)
+        settle()
+        self.assertGreater(count(picture("comb-on-curve"), rgb), 0.9 * without)
+        self.ok()
 
     def test_points_are_numbered_while_the_panel_is_open(self):
         obj, panel = self.start("Spline", self.points)
