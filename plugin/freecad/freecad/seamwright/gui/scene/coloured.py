@@ -8,8 +8,8 @@ from freecad.seamwright.gui.scene.halo import nearer
 
 EDGE_COLOUR, EDGE_WIDTH = (0.1, 0.1, 0.1), 1.5
 
-#: The amount by which edges are drawn nearer than the faces, see halo. The lines leave the sides of
-#: the triangles by more than the offset of the faces, and would be broken; those of seams cover them.
+#: The amount by which edges are drawn nearer than the faces, see halo, and less than seams. The
+#: lines leave the sides of the triangles by more than the offset of the faces, and would be broken.
 EDGE_LIFT = 0.002
 
 #: Deviation of the drawn edges from those of the model, as a part of the size of an edge.
