@@ -19,6 +19,7 @@ from window import count, messages, mouse_event, pause, picture, press_key, sett
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.gui.curves.view import COLOUR
 from freecad.seamwright.gui.scene.comb import (
     COLOURS,
     EVERY,
@@ -28,6 +29,8 @@ from freecad.seamwright.gui.scene.comb import (
     SEEN,
     quills,
 )
+from freecad.seamwright.gui.scene.handle import COLOUR as HANDLE
+from freecad.seamwright.gui.scene.live_curve import STALK_COLOUR
 from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 
@@ -182,6 +185,30 @@ class Handles(CurveWindow):
         self.assertEqual(self.made(), [])
 
 
+    def test_a_handle_has_a_line_and_is_seen_and_held_in_a_small_picture(self):
+        ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in ends
+        ]
+        self.doc.recompute()
+        obj, _ = self.start("BridgeCurve", *lines)
+        view = Gui.activeDocument().activeView()
+        view.viewTop()
+        view.fitAll()
+        stalk, ball = ([round(255 * each) for each in rgb] for rgb in (STALK_COLOUR, HANDLE))
+        self.assertGreater(count(picture("handle-lines"), stalk, reach=40), MANY / 2)
+        node = view.getCameraNode()
+        node.height.setValue(8 * node.height.getValue())
+        settle()
+        self.assertGreater(count(picture("small-handles"), ball), 2 * 40)
+        pixel_mm = node.height.getValue() / view.getSize()[1]
+        ball_x = 10 + math.hypot(30, 20) / 3 + 3 * pixel_mm
+        drag((ball_x, 0), (ball_x + 9, 0))
+        self.wait()
+        self.assertGreater(obj.FirstTension, 1.4)
+        self.cancel()
+
     def test_nothing_lights_up_while_a_handle_is_dragged(self):
         ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
         lines = [
@@ -233,6 +260,22 @@ class Combs(CurveWindow):
             settle()
             self.assertTrue(again.ViewObject.Proxy.panel.comb.isChecked())
             self.cancel()
+
+    def test_the_outline_of_the_comb_does_not_cover_the_curve(self):
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in (((0, 0, 0), (10, 0, 0)), ((40, 0.5, 9), (50, 0.5, 9)))
+        ]
+        self.doc.recompute()
+        _, panel = self.start("BridgeCurve", *lines)
+        rgb = [round(255 * each) for each in COLOUR]
+        without = count(picture("comb-without"), rgb)
+        panel.comb.setChecked(True)
+        panel.comb_scale.show_number(0.01)
+        panel.comb_scale.valueChanged.emit(0.01)
+        settle()
+        self.assertGreater(count(picture("comb-on-curve"), rgb), 0.9 * without)
+        self.ok()
 
     def test_points_are_numbered_while_the_panel_is_open(self):
         obj, panel = self.start("Spline", self.points)

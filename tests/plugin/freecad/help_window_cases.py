@@ -120,10 +120,37 @@ class HelpCase(WindowCase):
         click(tree.viewport(), tree.visualItemRect(section).center())
         self.assertEqual(self.heading(), "Deviation")
         self.assertTrue(item.isExpanded())
+        self.assertIs(tree.currentItem(), section)
         whole_window("help-contents")
         (box,) = window.findChildren(QtWidgets.QDialogButtonBox)
         box.button(QtWidgets.QDialogButtonBox.Close).click()
         self.assertFalse(window.isVisible())
+
+    def test_the_contents_mark_the_section_that_is_shown(self):
+        Gui.runCommand("Seamwright_Help")
+        settle()
+        (window,) = [each for each in self.windows() if each.isVisible()]
+        pages, marked = window.pages, window.contents.currentItem
+        for address, text in (
+            ("freecad_analysis.md#deviation", "Deviation"),
+            ("freecad_analysis.md", "Analysis tools in FreeCAD"),
+            ("workbench.md#repair-seams", "Repair Seams"),
+        ):
+            pages.go(QtCore.QUrl(address))
+            settle()
+            self.assertEqual(marked().text(0), text)
+        item = marked().parent()
+        last = item.child(item.childCount() - 1)
+        pages.go(QtCore.QUrl(help_pages.address(last.data(0, QtCore.Qt.UserRole))))
+        settle()
+        self.assertIs(marked(), last, "though the page ends before it is at the top")
+        pages.verticalScrollBar().setValue(pages.verticalScrollBar().value() // 2)
+        settle()
+        self.assertNotIn(marked(), (last, item))
+        whole_window("help-section")
+        pages.verticalScrollBar().setValue(0)
+        settle()
+        self.assertIs(marked(), item)
 
     def test_every_section_of_the_contents_exists(self):
         for page, _, sections in help_pages.contents():

@@ -2,11 +2,15 @@
 """Tests of the workbench in other languages."""
 
 import contextlib
+import math
 
 import FreeCADGui as Gui
 import models
+import numpy
 from window import WindowCase, settle, whole_window
 
+from freecad.seamwright.gui.scene import legend
+from freecad.seamwright.plain import curvature, maps, ramps
 from freecad.seamwright.plain.language import description, tr
 from freecad.seamwright.plain.summary import counted
 
@@ -70,6 +74,25 @@ class Languages(WindowCase):
             with self.subTest(code), language(code):
                 self.assertEqual(tr("Seam"), word)
         self.assertEqual(tr("Seam"), "Seam")
+
+    def test_legends_fit_a_small_view(self):
+        values = numpy.array([-0.0123, 0.0123, math.nan])
+        for code in ("en", "de", "zh-CN", "fr", "ja"):
+            with self.subTest(code), language(code):
+                signed = ramps.signed_look(
+                    values, 0.0123, tr("Deviation"), "mm", (tr("outside"), tr("inside")),
+                    tr("sampled at the points of the mesh"),
+                )  # fmt: skip
+                left_out = tr("left out"), tr("beyond the edges of the other shape")
+                looks = [
+                    ramps.curvature_look(maps.GAUSSIAN, values[:2], numpy.ones(2), None),
+                    ramps.with_undefined(signed, *left_out),
+                    ramps.draft_look(values, 3.0, 3.0),
+                ]
+                for known in (*(look.legend for look in looks), curvature.legend(0.0123)):
+                    drawn = legend.draw(*known, 13)
+                    self.assertLess(drawn.width(), 640 - 150, "beside the cube of the view")
+                    self.assertLess(drawn.height(), 420)
 
     def test_the_panel_of_an_analysis_opens_in_each_language(self):
         models.add(self.doc, models.three_classes(), "Prism")

@@ -184,6 +184,14 @@ class Deviations(unittest.TestCase):
         self.assertLess(report["furthest_mm"], 1e-9)
         self.assertEqual(report["beyond"], 0)
 
+    def test_of_a_part_of_a_surface_there_is_nothing_but_rounding(self):
+        surface = saddle().Surface
+        made = deviation.measure(surface.toShape(0.13, 0.71, 0.17, 0.83), surface.toShape())
+        self.assertGreater(made.report["points"], 50)
+        self.assertEqual(made.report["furthest_mm"], 0)
+        self.assertIn("No deviation above rounding", made.summary)
+        self.assertEqual(deviation.Deviation.marks(made.report), [])
+
     def test_corners_of_a_box_outside_of_a_ball(self):
         ball, box = Part.makeSphere(10), Part.makeBox(20, 20, 20, App.Vector(-10, -10, -10))
         made = deviation.measure(box, ball)

@@ -550,6 +550,37 @@ class Drawing(MapWindow):
         self.assertIn("Sampled", obj.Summary)
 
 
+    def test_the_legend_says_what_is_left_out(self):
+        plate = models.add(self.doc, Part.makePlane(30, 10), "Plate")
+        small = models.add(self.doc, Part.makePlane(10, 10), "Small")
+        small.Placement.Base.z = 1
+        self.doc.recompute()
+        _, panel = self.start("Deviation", (plate, ""), (small, ""))
+        settle(0.5)
+        place = QtCore.QRect(30, 150, 50, 18)  # of the sample
+        self.assertGreater(count(picture("left-out"), ramps.UNDEFINED, place, reach=2), MANY // 2)
+        self.set_field(panel, "beyond_edges", True)
+        self.assertEqual(count(picture("none-left-out"), ramps.UNDEFINED, place, reach=2), 0)
+        self.ok()
+
+
+    def test_edges_under_colours_are_whole_lines(self):
+        self.block.ViewObject.Visibility = False
+        self.start("CurvatureMap", *((sheet, "") for sheet in self.sheets))
+        (edge,) = (e for e in self.sheets[0].Shape.Edges if abs(e.CenterOfMass.x) < 1e-6)
+        middle = edge.valueAt(edge.getParameterByLength(edge.Length / 2))
+        node = Gui.activeDocument().activeView().getCameraNode()
+        back = App.Rotation(*node.orientation.getValue().getValue()).multVec(App.Vector(0, 0, 1))
+        node.position.setValue(*(middle + back * node.focalDistance.getValue()))
+        node.height.setValue(edge.Length / 4)
+        settle()
+        image = picture("whole-edge")
+        columns = [QtCore.QRect(x, 0, 1, 800) for x in range(430, 1200, 10)]
+        dark = [26, 26, 26]  # coloured.EDGE_COLOUR
+        self.assertTrue(all(count(image, dark, column, reach=40) for column in columns))
+        self.ok()
+
+
 class Large(MapWindow):
     def test_a_switch_takes_less_than_a_fifth_of_a_second_for_a_thousand_faces(self):
         blocks = []

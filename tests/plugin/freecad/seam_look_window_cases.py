@@ -24,7 +24,7 @@ from freecad.seamwright.gui.analysis import view
 from freecad.seamwright.gui.scene import marker, seam_view
 from freecad.seamwright.gui.widgets import tasks
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.plain import palette
+from freecad.seamwright.plain import labels, palette
 
 MODEL = QtCore.QRect(0, 145, 1200, 655)
 LEGEND = QtCore.QRect(0, 0, 420, 140)
@@ -155,6 +155,19 @@ class Look(LookCase):
         self.assertEqual(_marks(obj.ViewObject.Proxy.marker), worst)
         whole_window("window-labels")
 
+    def test_near_labels_stand_below_each_other_the_worst_on_top(self):
+        obj, panel = self.analyse()
+        shown = []
+        with mock.patch.object(marker, "draw_label", _drawn_into(shown)):
+            with mock.patch.object(labels, "NEAR", 2.0):
+                panel.look.labels.setValue(3)
+                settle()
+        rows = panel.results.rows[:3]
+        seams = [panel.results.seams[row.seam] for row in rows]
+        texts = [text for _, text in seam_view.worst_marks(panel.results.report, seams)]
+        # What is drawn last is on top.
+        self.assertEqual(shown, list(zip(texts, (0, 1, 2)))[::-1])
+
     def test_the_look_is_saved(self):
         obj, panel = self.analyse()
         look = obj.ViewObject
@@ -181,6 +194,16 @@ class Look(LookCase):
             Gui.getDocument(self.doc.Name).setEdit(obj.Name)
             settle()
             self.assertEqual(look.Proxy.panel.seam_table.model.rowCount(), 16)
+
+
+def _drawn_into(shown):
+    draw = marker.draw_label
+
+    def drawn(text, line):
+        shown.append((text, line))
+        return draw(text, line)
+
+    return drawn
 
 
 def _marks(shown):

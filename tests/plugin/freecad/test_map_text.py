@@ -74,6 +74,10 @@ def test_a_deviation_is_sampled():
     assert map_text.deviation_text({**report, "beyond": 1}) == (
         text % "; 1 point beyond the edges of the other shape left out"
     )
+    same = {**report, "furthest_mm": 0.0, "least": 0.0, "largest": 0.0}
+    assert map_text.deviation_text(same) == (
+        "No deviation above rounding. Sampled at 121 points: between them it may be larger."
+    )
     assert map_text.deviation_text({**report, "undefined": True}) == (
         "No point lies over the other shape."
     )

@@ -7,7 +7,7 @@ import numpy
 import pytest
 from test_plain import SIGHTS, lab, linear
 
-from freecad.seamwright.plain import curvature, maps, ramps
+from freecad.seamwright.plain import curvature, maps, palette, ramps
 
 WHITE, MOST, LEAST = (250, 250, 250), curvature.RAMP[-1][1], curvature.RAMP[0][1]
 BEYOND = "values beyond have the end colours"
@@ -206,9 +206,9 @@ def test_draft_angles_have_the_words_and_limits_of_the_panel():
     assert not look.repeats and not look.smooth
 
 
-def test_draft_colours_are_bluish_green_vermillion_and_dark_blue():
+def test_draft_colours_are_cyan_purple_and_sand():
     look = ramps.draft_look(numpy.zeros(1), 3.0, 5.0)
-    assert shown(look) == [(0, 158, 115), (213, 94, 0), (40, 70, 160)]
+    assert shown(look) == [(136, 204, 238), (170, 68, 153), (221, 204, 119)]
     colour_of = {0.0: 1, 2.9: 1, 3.1: 0, 89.0: 0, -4.9: 1, -5.1: 2, -89.0: 2}
     for angle, entry in colour_of.items():
         assert tuple(rgb(look, (angle + 90) / 180)) == shown(look)[entry], angle
@@ -216,6 +216,26 @@ def test_draft_colours_are_bluish_green_vermillion_and_dark_blue():
     for name, wanted in ((0, 87 / 180), (2, 85 / 180)):
         share = (look.row == shown(look)[name]).all(axis=1).mean()
         assert share == pytest.approx(wanted, abs=0.51 / 1024)
+
+
+def test_draft_colours_are_not_those_of_seams():
+    for draft in (ramps.TOWARDS, ramps.STEEP, ramps.AWAY):
+        for seam in (*palette.CLASSES, *palette.LEVELS):
+            assert math.dist(draft, seam.standard_rgb) > 60, seam.name
+
+
+# Undefined values
+
+
+def test_grey_is_in_the_legend_where_points_have_it():
+    look = ramps.signed_look(numpy.array([0.1, math.nan]), 0.1, "Title", "mm", ("out", "in"))
+    entries = ramps.with_undefined(look, "left out", "beyond").legend[1]
+    assert [sample.apart for sample, *_ in entries] == [False] * 5 + [True]
+    assert entries[-1] == (curvature.Sample((128, 128, 128), True), "left out", "beyond")
+    known = ramps.signed_look(numpy.array([0.1]), 0.1, "Title", "mm", ("out", "in"))
+    assert ramps.with_undefined(known, "left out", "beyond") is known
+    stripes = ramps.stripes_look(numpy.array([math.nan]), 0.25)
+    assert ramps.with_undefined(stripes, "left out", "beyond") is stripes
 
 
 # Pictures

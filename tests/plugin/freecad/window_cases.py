@@ -195,7 +195,7 @@ class Panel(WindowCase):
         self.assertEqual(label, "1°")
         edge = obj.Analysed[0].Shape.Edges[number - 1]
         self.assertLess(edge.distToShape(models.point(*point))[0], 1e-9)
-        show.assert_called_with([])
+        self.assertEqual(show.call_args.args[0], [])
 
     def test_the_mark_is_seen_through_the_model(self):
         obj, _ = self.analyse()

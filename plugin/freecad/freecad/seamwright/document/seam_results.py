@@ -4,7 +4,7 @@
 from functools import cached_property
 from typing import NamedTuple
 
-from freecad.seamwright.plain import report_text, rows, summary
+from freecad.seamwright.plain import labels, report_text, rows, summary
 
 #: Deviation of the drawn lines from the edges, as a part of the size of an edge.
 DEFLECTION = 0.001
@@ -33,7 +33,7 @@ class SeamResults:
 
     def complete(self):
         """Make all parts; return the results."""
-        for _ in (self.facts, self.rows, self.seams, self.lines, self.drawing):
+        for _ in (self.facts, self.rows, self.seams, self.lines, self.size_mm):
             pass
         return self
 
@@ -66,6 +66,11 @@ class SeamResults:
             spans.append((len(points), len(line)))
             points += line
         return Drawing(points, spans)
+
+    @cached_property
+    def size_mm(self):
+        """The size of all lines together."""
+        return labels.size(self.drawing.points)
 
     def elements(self, chosen):
         """Return [(object name, "Edge3"), ...]: the edges of chosen rows on their objects."""

@@ -17,14 +17,24 @@ WIDTHS = 240, 860
 #: Room beside a picture, in pixels.
 MARGIN = 40
 
+#: The pixel at which the section is read that the window shows.
+AT_TOP = QtCore.QPoint(20, 20)
+
 
 class Pages(QtWidgets.QTextBrowser):
-    """Shows pages in Markdown; pictures are as wide as the window at most."""
+    """Shows pages in Markdown; pictures are as wide as the window at most.
+
+    ``section_shown(anchor)`` is emitted for the section at the top of the window, "" before the
+    first one.
+    """
+
+    section_shown = QtCore.Signal(str)
 
     def __init__(self):
         super().__init__()
         self.setOpenLinks(False)
         self.anchorClicked.connect(self.go)
+        self.verticalScrollBar().valueChanged.connect(self._scrolled)
 
     def loadResource(self, kind, name):
         """Return a picture that fits, or what Qt loads."""
@@ -57,9 +67,20 @@ class Pages(QtWidgets.QTextBrowser):
             if block.blockFormat().headingLevel() and help_pages.anchor(block.text()) == wanted:
                 top = self.document().documentLayout().blockBoundingRect(block).top()
                 self.verticalScrollBar().setValue(int(top))
+                self.section_shown.emit(_section_at(block))  # at the end, it is not at the top
                 return True
             block = block.next()
         return False
+
+    def _scrolled(self, _):
+        self.section_shown.emit(_section_at(self.cursorForPosition(AT_TOP).block()))
+
+
+def _section_at(block):
+    """Return the anchor of the section in which a block lies; "" before the first one."""
+    while block.isValid() and block.blockFormat().headingLevel() != 2:
+        block = block.previous()
+    return help_pages.anchor(block.text()) if block.isValid() else ""
 
 
 class Contents(QtWidgets.QTreeWidget):
@@ -70,6 +91,7 @@ class Contents(QtWidgets.QTreeWidget):
     def __init__(self):
         super().__init__()
         self.setHeaderHidden(True)
+        self._page = None  # the item of the page that is shown
         for page, title, sections in help_pages.contents():
             item = self._add(self.invisibleRootItem(), title, page)
             for heading, anchor in sections:
@@ -94,8 +116,18 @@ class Contents(QtWidgets.QTreeWidget):
             is_shown = item.data(0, QtCore.Qt.UserRole) == name
             item.setExpanded(is_shown)
             if is_shown:
+                self._page = item
                 self.setCurrentItem(item)
                 self.scrollToItem(item, QtWidgets.QAbstractItemView.PositionAtTop)
+
+    def mark_section(self, anchor):
+        """Mark the section of the shown page that has this anchor, or the page."""
+        if self._page is None:
+            return
+        name = "%s#%s" % (self._page.data(0, QtCore.Qt.UserRole), anchor)
+        sections = map(self._page.child, range(self._page.childCount()))
+        found = [each for each in sections if each.data(0, QtCore.Qt.UserRole) == name]
+        self.setCurrentItem(found[0] if found else self._page)
 
 
 class HelpWindow(QtWidgets.QDialog):
@@ -114,6 +146,7 @@ class HelpWindow(QtWidgets.QDialog):
         self.contents = Contents()
         self.contents.asked.connect(self.pages.go)
         self.pages.sourceChanged.connect(self.contents.show_page)
+        self.pages.section_shown.connect(self.contents.mark_section)
         both = QtWidgets.QSplitter()
         both.addWidget(self.contents)
         both.addWidget(self.pages)

@@ -52,9 +52,10 @@ MINUS = "\u2212"
 
 @dataclass(frozen=True)
 class Sample:
-    """One colour of the legend."""
+    """One colour of the legend; ``apart``: it is not on the continuous scale."""
 
     rgb: tuple
+    apart: bool = False
 
 
 def areas(points, triangles):

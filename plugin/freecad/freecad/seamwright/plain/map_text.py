@@ -66,12 +66,16 @@ def deviation_text(report):
     """Return the summary of a Deviation."""
     if report["undefined"]:
         return tr("No point lies over the other shape") + "."
-    parts = tr("Largest deviation {furthest_mm} mm {furthest_at}; {least} to {largest} mm").format(
-        furthest_mm=figure(report["furthest_mm"]),
-        furthest_at=_at(report["furthest_at"]),
-        least=figure(report["least"]),
-        largest=figure(report["largest"]),
-    )
+    parts = tr("No deviation above rounding")
+    if report["furthest_mm"]:
+        parts = tr(
+            "Largest deviation {furthest_mm} mm {furthest_at}; {least} to {largest} mm"
+        ).format(
+            furthest_mm=figure(report["furthest_mm"]),
+            furthest_at=_at(report["furthest_at"]),
+            least=figure(report["least"]),
+            largest=figure(report["largest"]),
+        )
     if report["beyond"]:
         parts += tr("; {beyond} beyond the edges of the other shape left out").format(
             beyond=counted(report["beyond"], "point")

@@ -27,9 +27,10 @@ SEQUENTIAL = (
 
 UNDEFINED = curvature.UNDEFINED
 
-#: Draft angles: towards the pull, too steep, and away from the pull. Bluish green, vermillion and
-#: dark blue, as the classes of seams.
-TOWARDS, STEEP, AWAY = (0, 158, 115), (213, 94, 0), (40, 70, 160)
+#: Draft angles: towards the pull, too steep, and away from the pull. Cyan, purple and sand of Paul
+#: Tol's muted scheme, which readers with any colour vision can tell apart; the lines of seams, in
+#: other colours, may lie on them.
+TOWARDS, STEEP, AWAY = (136, 204, 238), (170, 68, 153), (221, 204, 119)
 
 #: Pixels of a row, and of one that repeats.
 PIXELS, STRIPE_PIXELS = 1024, 256
@@ -176,6 +177,15 @@ def draft_look(angles_deg, towards_deg, away_deg):
         (curvature.Sample(AWAY), at_most, tr("drafts away from the pull")),
     ]
     return Look(row, places, False, False, (tr("Draft angle"), entries, ""))
+
+
+def with_undefined(look, name, meaning):
+    """Return a Look that explains UNDEFINED in its legend, where points have it."""
+    if look.legend is None or numpy.isfinite(look.places).all():
+        return look
+    title, entries, footer = look.legend
+    entry = curvature.Sample(UNDEFINED, apart=True), name, meaning
+    return look._replace(legend=(title, [*entries, entry], footer))
 
 
 #: Colours of stripes.

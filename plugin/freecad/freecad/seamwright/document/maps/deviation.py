@@ -21,7 +21,7 @@ from freecad.seamwright.document.maps.surface_map import (
     run_meshes,
 )
 from freecad.seamwright.plain import curvature, map_text, ramps
-from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import FLAG, Option
 from freecad.seamwright.plain.summary import counted
 
@@ -43,6 +43,7 @@ class Deviation(SurfaceMap):
         "orange outside, with the largest value and its place. Sampled, so not a proven figure."
     )
     NEEDS = "select two objects with faces: first the one to colour"
+    UNDEFINED = mark("left out"), mark("beyond the edges of the other shape")
     TAKES_ALL = False
     LINKS = (
         ("Sources", "Coloured", "The objects whose points are measured and coloured"),
@@ -135,8 +136,8 @@ class Deviation(SurfaceMap):
 
     @classmethod
     def marks(cls, report):
-        """Return [(point, text)]: the largest deviation."""
-        if report.get("furthest_at") is None:
+        """Return [(point, text)]: the largest deviation, if it is more than rounding."""
+        if not report.get("furthest_mm"):
             return []
         return [(report["furthest_at"], "%s mm" % ramps.figure(report["furthest_mm"]))]
 

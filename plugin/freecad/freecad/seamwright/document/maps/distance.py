@@ -8,8 +8,8 @@ import Part
 from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.nearest import nearest
 
-#: Steps on a surface towards the foot of a point, and the step that counts as none, as a share of
-#: the size of a triangle.
+#: Steps on a surface towards the foot of a point, and the step that is the last, as a share of the
+#: size of a triangle: the error that it leaves is far smaller.
 STEPS, SMALL = 12, 1e-9
 
 #: A point of a face this near to an edge, as a share of the size of a triangle, lies on it.
@@ -73,7 +73,8 @@ def _measured(points, joined, faces, beyond_edges, progress):
     result = numpy.where(outside, found.distances, -found.distances)
     face_of = numpy.searchsorted(first_nodes, nodes[:, 0], side="right") - 1
     sizes = numpy.linalg.norm(numpy.ptp(corners, axis=1), axis=1)[found.triangles]
-    surfaces = [_Surface(face, edges) for face, edges in zip(faces, _free_edges(faces))]
+    noise_mm = ROUNDING * abs(mesh["points"]).max()
+    surfaces = [_Surface(face, edges, noise_mm) for face, edges in zip(faces, _free_edges(faces))]
     open_faces = numpy.array([bool(surface.free_edges) for surface in surfaces])
     beyond = _beyond(triangles, mesh["points"], found) & open_faces[face_of]
     flat = numpy.array([surface.flat for surface in surfaces])[face_of]  # triangles are exact there
@@ -89,7 +90,7 @@ def _measured(points, joined, faces, beyond_edges, progress):
         if distance is None:
             distance = surface.to_edge(points[place]) if beyond_edges else numpy.nan
         result[place] = distance
-    return numpy.where(abs(result) < ROUNDING * abs(mesh["points"]).max(), 0.0, result)
+    return numpy.where(abs(result) < noise_mm, 0.0, result)
 
 
 def _joined(meshes):
@@ -150,10 +151,11 @@ def _free_edges(faces):
 
 
 class _Surface:
-    """A face whose surface is evaluated at parameters."""
+    """A face whose surface is evaluated at parameters; ``noise_mm``: the rounding of points."""
 
-    def __init__(self, face, free_edges):
+    def __init__(self, face, free_edges, noise_mm):
         self._face, self._surface, self.free_edges = face, face.Surface, free_edges
+        self._noise_mm = noise_mm
         u1, u2, v1, v2 = face.ParameterRange
         self._low, self._high = (u1, v1), (u2, v2)
         self.flat = self._surface.TypeId == "Part::GeomPlane"
@@ -191,7 +193,7 @@ class _Surface:
             foot = surface.getD0(u, v)
             su, sv = surface.getDN(u, v, 1, 0), surface.getDN(u, v, 0, 1)
             away = point - foot
-            if away.Length <= SMALL * size:
+            if away.Length <= self._noise_mm:
                 return foot
             suu, suv, svv = (surface.getDN(u, v, *order) for order in ((2, 0), (1, 1), (0, 2)))
             a = su.dot(su) - away.dot(suu)

@@ -10,7 +10,7 @@ from freecad.seamwright.document import sources
 from freecad.seamwright.document.maps import meshes
 from freecad.seamwright.document.maps.tool import Tool
 from freecad.seamwright.plain import maps, orientation
-from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain.language import mark, tr
 
 
 class Values(NamedTuple):
@@ -25,6 +25,9 @@ class SurfaceMap(Tool):
     """Proxy of a map on faces; ``found`` is a list of Values."""
 
     NEEDS = "select objects with faces"
+
+    #: Name and meaning of grey in the legend.
+    UNDEFINED = mark("undefined"), ""
     TAKES_ALL = True
     RESULTS = (
         ("Least", "App::PropertyFloat", "The least value at the points of the mesh", "least"),

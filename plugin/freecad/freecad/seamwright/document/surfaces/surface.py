@@ -17,8 +17,8 @@ ORDERS = ("G0", "G1", "G2", "G3")
 #: cubic.
 HANDLE_SHARE = 1.0 / 3
 
-#: Where along a side its name is shown: beside the handle, which lies at the middle.
-MARKED = 0.25
+#: Where along a side its name is shown: far from the handle, which lies at the middle.
+MARKED = 0.1
 
 TOLERANCES = (
     Option("GapTolerance", "gap_mm", LENGTH, 0.01, "Gap tolerance",

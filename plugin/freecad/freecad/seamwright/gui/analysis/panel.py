@@ -287,10 +287,14 @@ class AnalysisPanel:
     def _show_seams(self, numbers, look):
         """Show seams in the view; ``look``: turn and zoom the view to them."""
         chosen = [self.results.seams[number] for number in numbers]
-        size = self.obj.Shape.BoundBox.DiagonalLength if look else 0.0
         with self.picker.paused():
             self._all_selected = seam_view.show(
-                self.obj, self.results.report, chosen, size, look, self.results.lines
+                self.obj,
+                self.results.report,
+                chosen,
+                self.results.size_mm,
+                look,
+                self.results.lines,
             )
         if not self._all_selected:
             messages.say(

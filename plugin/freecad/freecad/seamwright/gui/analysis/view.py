@@ -17,7 +17,7 @@ from freecad.seamwright.gui.scene.marker import Marker
 from freecad.seamwright.gui.scene.seam_lines import SeamLines
 from freecad.seamwright.gui.widgets.later import find, later
 from freecad.seamwright.gui.widgets.tasks import tasks
-from freecad.seamwright.plain import filters, rows, summary
+from freecad.seamwright.plain import filters, labels, rows, summary
 from freecad.seamwright.plain.language import inside, tr
 
 LINE_WIDTH = 6.0
@@ -173,7 +173,8 @@ class SeamAnalysisView(PanelView):
         count = vobj.WorstLabels
         shown = rows.filter_rows(results.rows, filters.of(vobj.Show)) if count else []
         seams = [results.seams[row.seam] for row in shown[:count]]
-        self.labels.show(seam_view.worst_marks(results.report, seams))
+        marks = seam_view.worst_marks(results.report, seams)
+        self.labels.show(marks, labels.NEAR * results.size_mm)
 
     def _update_legend(self, vobj, report):
         shown = bool(report["seams"]) and vobj.ShowLegend

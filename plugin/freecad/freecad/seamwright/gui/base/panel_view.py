@@ -57,13 +57,14 @@ class PanelView:
         if self.panel is not None:
             self.panel.reload()
 
-    def mark(self, lines, classes, worst):
+    def mark(self, lines, classes, worst, near_mm=0.0):
         """Draw a bright band along lines of seams, which have the given classes; [] removes it.
 
-        A line is a list of points. ``worst`` is a list of (point, label) to be marked.
+        A line is a list of points. ``worst`` is a list of (point, label) to be marked; for it and
+        ``near_mm`` see Marker.show.
         """
         self.halo.show(lines, [palette.BY_KEY[key].unit_rgb for key in classes], self.line_width)
-        self.marker.show(worst)
+        self.marker.show(worst, near_mm)
 
     def getIcon(self):
         """Return the icon in the tree."""

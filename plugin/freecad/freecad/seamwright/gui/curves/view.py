@@ -11,7 +11,8 @@ from freecad.seamwright.gui.base.panel_view import PanelView
 from freecad.seamwright.gui.base.result_view import attach_as
 from freecad.seamwright.gui.curves.panel import CurvePanel
 from freecad.seamwright.gui.curves.spline_panel import SplinePanel
-from freecad.seamwright.gui.scene.comb import INPUT_COLOURS, Comb
+from freecad.seamwright.gui.scene.comb import CURVE_LIFT, INPUT_COLOURS, Comb
+from freecad.seamwright.gui.scene.halo import nearer
 
 COLOUR, WIDTH = (0.0, 0.32, 0.62), 2.0
 
@@ -40,8 +41,8 @@ class CurveView(PanelView):
         lines = preferences.comb_lines()
         adder.add_with("App::PropertyInteger", "CombLines", "Curvature comb", tip, lines)
         self.comb, self.input_comb = Comb(), Comb(INPUT_COLOURS)
-        for each in (self.comb, self.input_comb):
-            vobj.RootNode.insertChild(each.node, 0)
+        for node in (nearer(CURVE_LIFT), self.comb.node, self.input_comb.node):
+            vobj.RootNode.insertChild(node, 0)
         self._draw_comb(vobj)
 
     def updateData(self, obj, prop):

@@ -23,6 +23,8 @@ from freecad.seamwright.gui.scene.substitutes import Substitutes, key
 from freecad.seamwright.gui.widgets.later import find
 from freecad.seamwright.gui.widgets.qt import QtCore
 from freecad.seamwright.gui.widgets.tasks import tasks
+from freecad.seamwright.plain import ramps
+from freecad.seamwright.plain.language import tr
 
 LEGEND_TEXT_PX = 13
 
@@ -91,7 +93,7 @@ class FaceColours(Drawing):
         """Draw a list of Values."""
         kind, begin, kept = obj.Proxy, 0, set()
         self._stop_turning()
-        look = None if kind.mirrors(values) else kind.look(found, values)
+        look = None if kind.mirrors(values) else _look(kind, found, values)
         for each in found:
             source = obj.Document.getObject(each.name)
             count = len(each.mesh.points)
@@ -109,7 +111,7 @@ class FaceColours(Drawing):
         self._substitutes.remove(set(self._substitutes.objects(obj.Document)) - kept)
         legend = None if look is None else look.legend
         if legend is not None:
-            continuous = look.smooth and len(legend[1]) > 1
+            continuous = look.smooth and sum(not sample.apart for sample, *_ in legend[1]) > 1
             self.legend.update(*legend, LEGEND_TEXT_PX, look.row[::-1] if continuous else ())
         self._has_legend = legend is not None
         self._show_beside()
@@ -177,6 +179,11 @@ class FaceColours(Drawing):
         doc = self.names[0]
         if doc in App.listDocuments():
             self._substitutes.remove(self._substitutes.objects(App.getDocument(doc)))
+
+
+def _look(kind, found, values):
+    name, meaning = kind.UNDEFINED
+    return ramps.with_undefined(kind.look(found, values), tr(name), meaning and tr(meaning))
 
 
 def _bare(shape):

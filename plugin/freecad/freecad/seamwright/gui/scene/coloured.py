@@ -4,8 +4,13 @@
 from pivy import coin
 
 from freecad.seamwright.gui.scene import stripes
+from freecad.seamwright.gui.scene.halo import nearer
 
 EDGE_COLOUR, EDGE_WIDTH = (0.1, 0.1, 0.1), 1.5
+
+#: The amount by which edges are drawn nearer than the faces, see halo, and less than seams. The
+#: lines leave the sides of the triangles by more than the offset of the faces, and would be broken.
+EDGE_LIFT = 0.002
 
 #: Deviation of the drawn edges from those of the model, as a part of the size of an edge.
 DEFLECTION = 1e-3
@@ -59,6 +64,6 @@ def lines(polylines):
     coordinates, line_set = coin.SoCoordinate3(), coin.SoLineSet()
     coordinates.point.setValues(0, len(points), points)
     line_set.numVertices.setValues(0, len(polylines), [len(line) for line in polylines])
-    for node in (light, colour, style, coordinates, line_set):
+    for node in (nearer(EDGE_LIFT), light, colour, style, coordinates, line_set):
         group.addChild(node)
     return group

@@ -31,8 +31,9 @@ LONGEST = 0.15
 #: For the comb of edges beside sharper bends, see _unit_length.
 SEEN, MOST = 0.05, 0.6
 
-#: The amount by which the comb is drawn nearer than the model, see halo.
-LIFT = 0.002
+#: The amounts by which a comb, and a curve that has one, are drawn nearer than the model, see halo.
+#: The outline of the comb lies on the curve where the curvature is small.
+LIFT, CURVE_LIFT = 0.002, 0.004
 
 
 class Comb:

@@ -58,7 +58,8 @@ class Legend:
         """Redraw the legend.
 
         It has a title, lines of (SeamClass, name, meaning), and the lines of the footer below them.
-        ``scale``: the colours from the first line to the last one, where they are continuous.
+        ``scale``: the colours from the first line to the last one, where they are continuous; then
+        lines whose sample is ``apart`` stand below.
         """
         self._picture, self._place = draw(title, entries, footer, text_px, scale), None
         _stack(self.names[0])
@@ -161,11 +162,13 @@ class _Page:
         pen.text(self.bold, self.pad, self.pad, self.title)
         if len(scale):
             first = self.pad + self.line + self.line // 2
-            length = (len(self.entries) - 1) * self.line
+            lines = sum(not sample.apart for sample, *_ in self.entries)
+            length = (lines - 1) * self.line
             _draw_scale(painter, QtCore.QRect(self.pad, first, self.bar, length), scale)
         for index, (sample, name, meaning) in enumerate(self.entries, 1):
             top = self.pad + index * self.line
-            self._paint_sample(painter, top, None if len(scale) else sample)
+            on_scale = len(scale) and not sample.apart
+            self._paint_sample(painter, top, None if on_scale else sample)
             pen.text(self.bold, self.name_x, top, name)
             pen.text(self.font, self.meaning_x, top, meaning)
         for index, text in enumerate(self.last, len(self.entries) + 1):

@@ -5,7 +5,7 @@ import numpy
 from pivy import coin
 
 from freecad.seamwright.gui.scene import markers
-from freecad.seamwright.gui.scene.comb import COLOURS, LIFT
+from freecad.seamwright.gui.scene.comb import COLOURS, CURVE_LIFT, LIFT
 from freecad.seamwright.gui.scene.halo import nearer
 from freecad.seamwright.gui.scene.overlay import (
     outside_bounding_box,
@@ -33,9 +33,10 @@ class LiveCurve:
         drawing, handles = coin.SoSeparator(), coin.SoAnnotation()
         for node in (*unlit_unpickable(), nearer(LIFT)):
             drawing.addChild(node)
-        self._curve = _Lines(drawing, LINE_COLOUR, LINE_WIDTH)
         self._quills = _Lines(drawing, COLOURS[0], 1.0)
         self._hull = _Lines(drawing, COLOURS[1], 1.0)
+        drawing.addChild(nearer(CURVE_LIFT))
+        self._curve = _Lines(drawing, LINE_COLOUR, LINE_WIDTH)
         for node in unlit_unpickable():
             handles.addChild(node)
         self._stalks = _Lines(handles, STALK_COLOUR, 1.0)

@@ -10,6 +10,7 @@ from freecad.seamwright.gui.scene.overlay import (
     unlit_unpickable,
 )
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
+from freecad.seamwright.plain import labels
 
 RING_PX, TEXT_PX = 23, 13
 INK, PAPER = (20, 20, 20), (255, 255, 255)
@@ -33,17 +34,23 @@ class Marker:
         """The number of marks that are shown."""
         return self._marks.getNumChildren()
 
-    def show(self, marks):
-        """Show only these marks, each (point, label); the coordinates of the point are in mm."""
+    def show(self, marks, near_mm=0.0):
+        """Show only these marks, each (point, label); the coordinates of the point are in mm.
+
+        The first is drawn over the others. Labels of points within ``near_mm`` are written below
+        each other.
+        """
         self._marks.removeAllChildren()
         ring = _image(draw_ring(), coin.SoImage.CENTER, coin.SoImage.HALF) if marks else None
-        for point, label in marks:
+        lines = labels.lines_below([point for point, _ in marks], near_mm)
+        for (point, label), line in reversed(list(zip(marks, lines))):
             mark, position = coin.SoSeparator(), coin.SoTranslation()
             position.translation = tuple(point)
             mark.addChild(position)
             mark.addChild(ring)
             if label:
-                mark.addChild(_image(draw_label(label), coin.SoImage.LEFT, coin.SoImage.HALF))
+                picture = draw_label(label, line)
+                mark.addChild(_image(picture, coin.SoImage.LEFT, coin.SoImage.HALF))
             self._marks.addChild(mark)
 
 
@@ -67,14 +74,17 @@ def draw_ring():
     return painted(RING_PX, RING_PX, paint)
 
 
-def draw_label(text):
-    """Return a QImage of the text on a light background, to the right of the ring."""
+def draw_label(text, line=0):
+    """Return a QImage of the text on a light background, to the right of the ring.
+
+    ``line``: the number of lines by which the text is lower than the ring.
+    """
     font = QtGui.QFont("Sans Serif")
     font.setPixelSize(TEXT_PX)
     font.setBold(True)
     width = QtGui.QFontMetrics(font).boundingRect(text).width() + TEXT_PX
     left, height = RING_PX // 2 + GAP_PX, int(1.6 * TEXT_PX)
-    box = QtCore.QRect(left, 0, width - 1, height - 1)
+    box = QtCore.QRect(left, 2 * line * height, width - 1, height - 1)
 
     def paint(painter):
         painter.setFont(font)
@@ -83,4 +93,4 @@ def draw_label(text):
         painter.drawRect(box)
         painter.drawText(box, QtCore.Qt.AlignCenter, text)
 
-    return painted(left + width, height, paint)
+    return painted(left + width, (2 * line + 1) * height, paint)

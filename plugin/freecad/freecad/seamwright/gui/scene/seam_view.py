@@ -8,7 +8,7 @@ import Part
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.seam_results import polyline
 from freecad.seamwright.gui.scene import camera
-from freecad.seamwright.plain import rows
+from freecad.seamwright.plain import labels, rows
 
 #: The least height of the view when zooming to a seam, as a part of the size of the model.
 CONTEXT = 0.15
@@ -39,6 +39,7 @@ def show(obj, report, seams, size, look=True, lines=None):
         [lines[number] for number in numbers],
         list(numbers.values()),
         worst_marks(report, seams[:LABELLED_MOST]),
+        labels.NEAR * size,
     )
     all_selected = len(owners) <= SELECTED_MOST
     if look and numbers and all_selected:

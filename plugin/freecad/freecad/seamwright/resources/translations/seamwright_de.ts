@@ -2157,6 +2157,10 @@ Gezeigt: {show}</translation>
         <translation>Keine Krümmung</translation>
     </message>
     <message>
+        <source>No deviation above rounding</source>
+        <translation>Keine Abweichung über der Rundung</translation>
+    </message>
+    <message>
         <source>No level</source>
         <translation>Keine Stufe</translation>
     </message>
@@ -3153,6 +3157,10 @@ Gezeigt: {show}</translation>
         <translation>dazwischen</translation>
     </message>
     <message>
+        <source>beyond the edges of the other shape</source>
+        <translation>jenseits der Ränder der anderen Form</translation>
+    </message>
+    <message>
         <source>by size of face</source>
         <translation>nach Größe der Fläche</translation>
     </message>
@@ -3335,6 +3343,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>lateral boundary</source>
         <translation>seitlicher Rand</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>line {number}</source>

@@ -2156,6 +2156,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No deviation above rounding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No level</source>
         <translation>レベルなし</translation>
     </message>
@@ -3150,6 +3154,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>beyond the edges of the other shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>by size of face</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3331,6 +3339,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>lateral boundary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

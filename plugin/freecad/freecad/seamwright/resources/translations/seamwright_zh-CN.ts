@@ -2157,6 +2157,10 @@ Shown: {show}</source>
         <translation>曲率为零</translation>
     </message>
     <message>
+        <source>No deviation above rounding</source>
+        <translation>没有超过舍入误差的偏差</translation>
+    </message>
+    <message>
         <source>No level</source>
         <translation>未达等级</translation>
     </message>
@@ -3153,6 +3157,10 @@ Shown: {show}</source>
         <translation>之间</translation>
     </message>
     <message>
+        <source>beyond the edges of the other shape</source>
+        <translation>超出另一形状的边缘</translation>
+    </message>
+    <message>
         <source>by size of face</source>
         <translation>按面的尺寸</translation>
     </message>
@@ -3335,6 +3343,10 @@ Shown: {show}</source>
     <message>
         <source>lateral boundary</source>
         <translation>侧边界</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>已略去</translation>
     </message>
     <message>
         <source>line {number}</source>
