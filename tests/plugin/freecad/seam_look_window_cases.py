@@ -24,7 +24,7 @@ from freecad.seamwright.gui.analysis import view
 from freecad.seamwright.gui.scene import marker, seam_view
 from freecad.seamwright.gui.widgets import tasks
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.plain import palette
+from freecad.seamwright.plain import palette, rows
 
 MODEL = QtCore.QRect(0, 145, 1200, 655)
 LEGEND = QtCore.QRect(0, 0, 420, 140)
@@ -241,6 +241,23 @@ class Table(LookCase):
         tip = index.data(QtCore.Qt.ToolTipRole)
         self.assertIn("%s, %s" % (row.edge_text, row.face_text), tip)
         whole_window("window-table")
+
+    def test_wide_enclosures_leave_room_for_the_columns_behind_them(self):
+        _, panel = self.analyse()
+        table, shown = panel.seam_table.table, panel.seam_table.filter
+
+        def text(row, _):
+            return "0.00918..0.00952" if row.seam_class == "smooth" else "1"
+
+        with mock.patch.object(rows.Row, "figure_text", text):
+            panel.refresh()
+            if table.viewport().width() > 400:
+                self.assertEqual(table.horizontalScrollBar().maximum(), 0)
+            whole_window("window-enclosures")
+            wide = table.columnWidth(2)
+            shown.setCurrentIndex(shown.findData("defect"))
+            settle()
+            self.assertLess(table.columnWidth(2), wide)
 
     def test_the_keys_move_zoom_and_copy(self):
         obj, panel = self.analyse()

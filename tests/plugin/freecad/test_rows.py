@@ -65,11 +65,12 @@ def test_a_seam_that_was_not_measured_is_the_worst(gap, angle):
     assert rows.severity(one, TOLERANCE, "G1") == math.inf
 
 
-def test_a_column_without_values_can_be_left_out():
-    some = built(seam(1), seam(2, "crease", curvature=None))
-    assert rows.has_values(some, "curvature_rel")
-    assert not rows.has_values(some, "curvature_change_rel")
-    assert not rows.has_values([], "seam")
+def test_columns_that_tell_nothing_are_needless():
+    change = {**seam(3), "curvature_change_rel": figure(0.5)}
+    unsure = {**seam(4), "certified": False}
+    for field, teller in (("curvature_change_rel", change), ("certain", unsure)):
+        assert rows.NEEDLESS[field](built(seam(1), seam(2)))
+        assert not rows.NEEDLESS[field](built(seam(1), teller))
 
 
 @pytest.mark.parametrize("field, wanted", [

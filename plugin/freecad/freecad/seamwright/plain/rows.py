@@ -345,9 +345,11 @@ def _sort_key(row, field):
     return value
 
 
-def has_values(rows, field):
-    """Return whether any row has a value of that field."""
-    return any(getattr(row, field) is not None for row in rows)
+#: Columns that are left out where they tell nothing, and when they do, as a function of all rows.
+NEEDLESS = {
+    "curvature_change_rel": lambda rows: all(row.curvature_change_rel is None for row in rows),
+    "certain": lambda rows: all(row.certain for row in rows),
+}
 
 
 # These take the place of a class in filters.

@@ -67,9 +67,8 @@ class SeamTable(QtWidgets.QWidget):
         self._silent = False
         self.model.set_rows(results.rows)
         for index, column in enumerate(rows.COLUMNS):
-            if column.field == "curvature_change_rel":
-                known = rows.has_values(results.rows, column.field)
-                self.table.setColumnHidden(index, not known)
+            if column.field in rows.NEEDLESS:
+                self.table.setColumnHidden(index, rows.NEEDLESS[column.field](results.rows))
         for index, count in enumerate(filters.counts(results.report)):
             self.filter.setItemText(index, "%s (%d)" % (tr(filters.NAMES[index]), count))
         self.table.fit_columns(new_texts=True)
@@ -113,6 +112,7 @@ class SeamTable(QtWidgets.QWidget):
 
     def _filter_changed(self, index):
         self.model.set_filter(self.filter.itemData(index))
+        self.table.fit_columns(new_texts=True)
         self.filter_chosen.emit(filters.NAMES[index])
 
     def _remember(self):

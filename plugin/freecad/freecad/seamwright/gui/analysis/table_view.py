@@ -9,8 +9,9 @@ from freecad.seamwright.plain.language import mark, tr
 HEIGHT = 260
 
 #: Columns that become narrower than their texts where the panel has no room, and how narrow, in
-#: pixels. Of other columns only the headings do.
-ELASTIC = {"edge_text": 40, "face_text": 58}
+#: pixels: figures as wide as most numbers, not as an enclosure "0.0918..0.0952". Of other columns
+#: only the headings do.
+ELASTIC = {"edge_text": 40, "face_text": 58, **dict.fromkeys(rows.SHOWN, 66)}
 
 #: Headings of so few letters stay whole; the room beside a heading, in pixels.
 SHORT, MARGIN = 5, 14
