@@ -357,6 +357,23 @@ class Table(LookCase):
         self.assertEqual(count(picture("filtered"), BAND), 0)
 
 
+    def test_a_new_analysis_keeps_the_chosen_rows(self):
+        obj, panel = self.analyse()
+        click_row(panel.seam_table.table, 3)
+        chosen, before = self.chosen(panel), camera()
+        panel.tolerances.fields["CreaseAngle"].setValue(0.5)
+        panel.recompute()
+        settle()
+        self.assertEqual(obj.CreaseAngle.Value, 0.5)
+        self.assertEqual(self.chosen(panel), chosen)
+        self.assertEqual(camera(), before)
+        (picked,) = Gui.Selection.getSelectionEx()
+        (edge,) = panel.results.seams[chosen[0]]["edges"]
+        self.assertEqual(picked.SubElementNames, ("Edge%d" % edge,))
+        self.assertEqual(_marks(obj.ViewObject.Proxy.marker), 1)
+        self.assertGreater(count(picture("kept"), BAND), FEW)
+
+
 class Gone(LookCase):
     def test_the_rows_of_a_deleted_source(self):
         obj, panel = self.analyse()

@@ -27,7 +27,7 @@ class SeamTable(QtWidgets.QWidget):
         super().__init__()
         self.model = SeamTableModel()
         self._look, self._silent = True, False
-        self._kept = set()
+        self._kept, self._names = set(), set()
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addLayout(self._build_filter())
@@ -61,7 +61,13 @@ class SeamTable(QtWidgets.QWidget):
         return self.table
 
     def show_results(self, results):
-        """Show the seams of SeamResults; filter and order stay."""
+        """Show the seams of SeamResults; filter, order and the chosen seams stay.
+
+        Their edges tell which they are: their numbers may differ. An empty table, as before a long
+        report has been read, has no choice that could replace the last one.
+        """
+        if self.model.rowCount():
+            self._names = {row.edge_text for row in self.chosen_rows()}
         self._silent = True
         self.table.clearSelection()
         self._silent = False
@@ -72,6 +78,14 @@ class SeamTable(QtWidgets.QWidget):
         for index, count in enumerate(filters.counts(results.report)):
             self.filter.setItemText(index, "%s (%d)" % (tr(filters.NAMES[index]), count))
         self.table.fit_columns(new_texts=True)
+        self._choose_again()
+
+    def _choose_again(self):
+        lines = self.model.rows_of_names(self._names) if self._names else []
+        if lines:
+            self._look = False
+            self._select(lines)
+            self._look = True
 
     def show_filter(self, name):
         """Show the seams of a choice of filters.NAMES."""
