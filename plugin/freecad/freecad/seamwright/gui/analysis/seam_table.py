@@ -47,7 +47,12 @@ class SeamTable(QtWidgets.QWidget):
         self.filter.currentIndexChanged.connect(self._filter_changed)
         line.add(self.filter, 1)
         worst = QtWidgets.QPushButton(tr("Worst first"))
-        worst.setToolTip(tr("Sort by class, then by how much the figures exceed the tolerances"))
+        worst.setToolTip(
+            tr(
+                "Sort by class: defects by how much their figures exceed the tolerances, others by "
+                "the figure of the level, such as the angle for G1"
+            )
+        )
         worst.clicked.connect(self.sort_worst_first)
         line.add(worst)
         return line
