@@ -302,7 +302,7 @@ class AnalysisPanel:
         if key == "repair":
             QtCore.QTimer.singleShot(0, _repair)
         elif key in ("csv", "json"):
-            export_dialog.ask_and_export(self.obj, (key,))
+            export_dialog.ask_and_export(self.obj, (key,), self.seam_table.shown_seams())
         else:
             numbers = [row.seam for row in self.seam_table.chosen_rows()]
             self._show_seams(numbers, look=key == "zoom")
@@ -318,8 +318,10 @@ def _buttons(asked):
     for key, text, tip in (
         ("repair", tr("Repair\u2026"),
          tr("Repair the seams of the selected rows, or all defects if no row is selected")),
-        ("csv", tr("Export CSV\u2026"), tr("Write a table with a line for each seam")),
-        ("json", tr("Export JSON\u2026"), tr("Write the report as the command seamwright does")),
+        ("csv", tr("Export CSV\u2026"),
+         tr("Write a table with a line for each seam that is shown, in this order")),
+        ("json", tr("Export JSON\u2026"),
+         tr("Write the report of all seams as the command seamwright does")),
     ):  # fmt: skip
         button = QtWidgets.QPushButton(text)
         button.setToolTip(tip)

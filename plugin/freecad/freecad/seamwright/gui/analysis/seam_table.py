@@ -103,6 +103,10 @@ class SeamTable(QtWidgets.QWidget):
         lines = {line for each in ranges for line in range(each.top(), each.bottom() + 1)}
         return [self.model.row(line) for line in sorted(lines)]
 
+    def shown_seams(self):
+        """Return the numbers of the seams that the filter lets pass, in the order of the table."""
+        return [self.model.row(line).seam for line in range(self.model.rowCount())]
+
     def sort_worst_first(self, *_):
         """Restore the initial order."""
         self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
