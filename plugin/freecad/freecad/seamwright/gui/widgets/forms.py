@@ -42,6 +42,16 @@ def make_show_line():
     return line, before, after
 
 
+def offer_after(before, after, there):
+    """Let After be chosen while there is something to show, and choose it when that appears.
+
+    Else Before is chosen.
+    """
+    if there != after.isEnabled():
+        after.setEnabled(there)
+        (after if there else before).setChecked(True)
+
+
 class Label(QtWidgets.QLabel):
     """A text beside a field: in one line where there is room, else in several."""
 
