@@ -12,7 +12,7 @@ import models
 import numpy
 import Part
 from match_cases import tilted
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from window import CANCELLED, OUT, PanelWindow, click, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import match
@@ -293,6 +293,19 @@ class Matching(MatchWindow):
             self.assertTrue(panel.after.isEnabled() and panel.after.isChecked())
             self.cancel()
             self.assertEqual(self.made(), [])
+
+    def test_the_target_is_the_first_option(self):
+        _, panel = self.start()
+        level, moves = panel.tolerances.level, self.field(panel, "moves")
+        self.assertTrue(panel.options.isAncestorOf(level))
+        self.assertLess(level.y(), moves.y())
+        self.assertEqual(level.x(), moves.x())
+        whole_window("match-target")
+        each = level.nextInFocusChain()
+        while not (each.isVisible() and each.focusPolicy() & QtCore.Qt.TabFocus):
+            each = each.nextInFocusChain()
+        self.assertIs(each, moves)
+        self.cancel()
 
     def test_a_missing_kernel_is_one_message(self):
         with mock.patch.dict(sys.modules, seamwright=None):

@@ -2713,10 +2713,6 @@ Gezeigt: {show}</translation>
         <translation>Zielstufe und Grenzen</translation>
     </message>
     <message>
-        <source>Target and tolerances</source>
-        <translation>Zielstufe und Toleranzen</translation>
-    </message>
-    <message>
         <source>Tension</source>
         <translation>Spannung</translation>
     </message>

@@ -2710,10 +2710,6 @@ Shown: {show}</source>
         <translation>Cible et limites</translation>
     </message>
     <message>
-        <source>Target and tolerances</source>
-        <translation>Cible et tolérances</translation>
-    </message>
-    <message>
         <source>Tension</source>
         <translation>Tension</translation>
     </message>

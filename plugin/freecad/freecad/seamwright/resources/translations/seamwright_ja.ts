@@ -2710,10 +2710,6 @@ Shown: {show}</source>
         <translation>目標と制限</translation>
     </message>
     <message>
-        <source>Target and tolerances</source>
-        <translation>目標と公差</translation>
-    </message>
-    <message>
         <source>Tension</source>
         <translation>張力</translation>
     </message>

@@ -2713,10 +2713,6 @@ Shown: {show}</source>
         <translation>目标和限制</translation>
     </message>
     <message>
-        <source>Target and tolerances</source>
-        <translation>目标和公差</translation>
-    </message>
-    <message>
         <source>Tension</source>
         <translation>张力</translation>
     </message>
