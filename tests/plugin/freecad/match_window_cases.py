@@ -13,7 +13,9 @@ import numpy
 import Part
 from match_cases import tilted
 from PySide import QtCore, QtGui
-from window import CANCELLED, OUT, PanelWindow, click, messages, picture, settle, whole_window
+from window import (
+    CANCELLED, OUT, PanelWindow, click, held, messages, pause, picture, settle, whole_window
+)  # fmt: skip
 
 from freecad.seamwright.document import match
 from freecad.seamwright.gui.scene.zebra import zebra
@@ -305,6 +307,26 @@ class Matching(MatchWindow):
         while not (each.isVisible() and each.focusPolicy() & QtCore.Qt.TabFocus):
             each = each.nextInFocusChain()
         self.assertIs(each, moves)
+        self.cancel()
+
+    def test_nothing_moves_under_the_mouse(self):
+        _, panel = self.start()
+
+        def places():
+            parts = (panel.options, panel.table, panel.before, *panel.tolerances.fields.values())
+            return [part.mapTo(panel.form, QtCore.QPoint(0, 0)).y() for part in parts]
+
+        before = places()
+        for level in ("G2", "G1"):
+            with held():
+                panel.tolerances.level.setCurrentText(level)
+                pause(1.5)
+                self.assertTrue(panel.computation.line.isVisible())
+                self.assertEqual(places(), before)
+                whole_window("match-computes")
+            settle(0.8)
+            self.assertEqual(places(), before)
+        whole_window("match-computed")
         self.cancel()
 
     def test_a_missing_kernel_is_one_message(self):

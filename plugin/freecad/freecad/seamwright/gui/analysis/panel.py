@@ -17,7 +17,7 @@ from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.flow import FlowLayout
-from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_text
+from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_summary
 from freecad.seamwright.gui.widgets.keys import PanelKeys
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
@@ -112,7 +112,7 @@ class AnalysisPanel:
 
     def _build(self):
         self.form, layout = make_form(tr("Seam Analysis"), "seamwright-analyze")
-        self.summary = make_text()
+        self.summary = make_summary()
         layout.addWidget(self.summary)
         self.match_button = QtWidgets.QPushButton()
         self.match_button.clicked.connect(lambda *_: self._match(self._proposal()))

@@ -73,6 +73,16 @@ def make_text():
     return label
 
 
+def make_summary(lines=2):
+    """Return a label for a text of about so many lines: what is below stays where it is."""
+    label = make_text()
+    label.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
+    label.setText("\n".join("x" * lines))
+    label.setMinimumHeight(label.sizeHint().height())
+    label.clear()
+    return label
+
+
 def name_columns(table, columns):
     """Write headings and tool tips, (text, text) each, with the unit of lengths of the moment."""
     table.setHorizontalHeaderLabels([lengths.titled(heading) for heading, _ in columns])
