@@ -312,7 +312,8 @@ class Panel(WindowCase):
         shown = panel.seam_table.filter
         shown.setCurrentIndex(shown.findData("crease"))
         settle()
-        creases = [seam["id"] for seam in panel.results.report["seams"] if seam["class"] == "crease"]
+        seams = panel.results.report["seams"]
+        creases = [seam["id"] for seam in seams if seam["class"] == "crease"]
         self.assertEqual(
             exported("csv", path), "%d of 18 seams (crease) are written to PATH." % len(creases)
         )
