@@ -12,8 +12,10 @@ import models
 import numpy
 import Part
 from match_cases import tilted
-from PySide import QtGui
-from window import CANCELLED, OUT, PanelWindow, click, messages, picture, settle, whole_window
+from PySide import QtCore, QtGui
+from window import (
+    CANCELLED, OUT, PanelWindow, click, held, messages, pause, picture, settle, whole_window
+)  # fmt: skip
 
 from freecad.seamwright.document import match
 from freecad.seamwright.gui.scene.zebra import zebra
@@ -283,9 +285,49 @@ class Matching(MatchWindow):
             self.assertIn(text, panel.summary.text())
             self.assertNotIn("Traceback", panel.summary.text())
             self.assertFalse(panel.after.isEnabled())
+            self.assertTrue(panel.before.isChecked())
             self.assertTrue(box.ViewObject.Visibility)
+            whole_window("match-without-result")
+            self.use(panel, "FirstFace", (self.left, "Face1"))
+            self.use(panel, "SecondFace", (self.right, "Face1"))
+            settle(0.8)
+            self.assertTrue(obj.Matched, obj.Summary)
+            self.assertTrue(panel.after.isEnabled() and panel.after.isChecked())
             self.cancel()
             self.assertEqual(self.made(), [])
+
+    def test_the_target_is_the_first_option(self):
+        _, panel = self.start()
+        level, moves = panel.tolerances.level, self.field(panel, "moves")
+        self.assertTrue(panel.options.isAncestorOf(level))
+        self.assertLess(level.y(), moves.y())
+        self.assertEqual(level.x(), moves.x())
+        whole_window("match-target")
+        each = level.nextInFocusChain()
+        while not (each.isVisible() and each.focusPolicy() & QtCore.Qt.TabFocus):
+            each = each.nextInFocusChain()
+        self.assertIs(each, moves)
+        self.cancel()
+
+    def test_nothing_moves_under_the_mouse(self):
+        _, panel = self.start()
+
+        def places():
+            parts = (panel.options, panel.table, panel.before, *panel.tolerances.fields.values())
+            return [part.mapTo(panel.form, QtCore.QPoint(0, 0)).y() for part in parts]
+
+        before = places()
+        for level in ("G2", "G1"):
+            with held():
+                panel.tolerances.level.setCurrentText(level)
+                pause(1.5)
+                self.assertTrue(panel.computation.line.isVisible())
+                self.assertEqual(places(), before)
+                whole_window("match-computes")
+            settle(0.8)
+            self.assertEqual(places(), before)
+        whole_window("match-computed")
+        self.cancel()
 
     def test_a_missing_kernel_is_one_message(self):
         with mock.patch.dict(sys.modules, seamwright=None):

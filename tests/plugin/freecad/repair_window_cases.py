@@ -13,11 +13,12 @@ import models
 from PySide import QtCore
 
 from window import (
-    CANCELLED, PICTURE, PanelWindow, camera, click, click_row, count, messages, picture,
+    CANCELLED, PICTURE, PanelWindow, WindowCase, camera, click, click_row, count, messages, picture,
     press_key, report_view, settle, whole_window
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, repair
+from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import moves, repair_text
 
@@ -55,6 +56,26 @@ class RepairWindow(PanelWindow):
 
     def chosen(self):
         return [(one.ObjectName, one.SubElementNames) for one in Gui.Selection.getSelectionEx()]
+
+
+class Table(WindowCase):
+    def test_the_outcome_is_seen_and_its_reason_needs_no_scrolling(self):
+        table = RowTable(repair_text.COLUMNS, 150)
+        self.addCleanup(table.close)
+        table.resize(520, 200)
+        table.show()
+        figures = ("\u22641.4e-12 \u2192 0.0122..0.0125",) * 3
+        cells = ("Edge30", "10, 24", *figures, "the faces would fold " * 20)
+        table.show_rows([repair_text.Row(1, (1,), repair_text.NOT_REPAIRED, cells, "")])
+        settle()
+        header, room = table.horizontalHeader(), table.viewport().width()
+        end = header.sectionViewportPosition(RESULT) + header.sectionSize(RESULT)
+        self.assertLessEqual(end, room)
+        self.assertLess(table.horizontalScrollBar().maximum(), room)
+        table.resize(1100, 200)
+        settle()
+        self.assertEqual(table.horizontalScrollBar().maximum(), 0)
+        self.assertGreater(header.sectionSize(RESULT), 300)
 
 
 class Repairing(RepairWindow):

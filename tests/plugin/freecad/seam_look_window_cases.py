@@ -24,7 +24,7 @@ from freecad.seamwright.gui.analysis import view
 from freecad.seamwright.gui.scene import marker, seam_view
 from freecad.seamwright.gui.widgets import tasks
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.plain import labels, palette
+from freecad.seamwright.plain import labels, palette, rows
 
 MODEL = QtCore.QRect(0, 145, 1200, 655)
 LEGEND = QtCore.QRect(0, 0, 420, 140)
@@ -265,6 +265,23 @@ class Table(LookCase):
         self.assertIn("%s, %s" % (row.edge_text, row.face_text), tip)
         whole_window("window-table")
 
+    def test_wide_enclosures_leave_room_for_the_columns_behind_them(self):
+        _, panel = self.analyse()
+        table, shown = panel.seam_table.table, panel.seam_table.filter
+
+        def text(row, _):
+            return "0.00918..0.00952" if row.seam_class == "smooth" else "1"
+
+        with mock.patch.object(rows.Row, "figure_text", text):
+            panel.refresh()
+            if table.viewport().width() > 400:
+                self.assertEqual(table.horizontalScrollBar().maximum(), 0)
+            whole_window("window-enclosures")
+            wide = table.columnWidth(2)
+            shown.setCurrentIndex(shown.findData("defect"))
+            settle()
+            self.assertLess(table.columnWidth(2), wide)
+
     def test_the_keys_move_zoom_and_copy(self):
         obj, panel = self.analyse()
         click_row(panel.seam_table.table, 0)
@@ -361,6 +378,23 @@ class Table(LookCase):
         self.assertEqual(self.chosen(panel), [])
         self.assertEqual(Gui.Selection.getSelection(), [])
         self.assertEqual(count(picture("filtered"), BAND), 0)
+
+
+    def test_a_new_analysis_keeps_the_chosen_rows(self):
+        obj, panel = self.analyse()
+        click_row(panel.seam_table.table, 3)
+        chosen, before = self.chosen(panel), camera()
+        panel.tolerances.fields["CreaseAngle"].setValue(0.5)
+        panel.recompute()
+        settle()
+        self.assertEqual(obj.CreaseAngle.Value, 0.5)
+        self.assertEqual(self.chosen(panel), chosen)
+        self.assertEqual(camera(), before)
+        (picked,) = Gui.Selection.getSelectionEx()
+        (edge,) = panel.results.seams[chosen[0]]["edges"]
+        self.assertEqual(picked.SubElementNames, ("Edge%d" % edge,))
+        self.assertEqual(_marks(obj.ViewObject.Proxy.marker), 1)
+        self.assertGreater(count(picture("kept"), BAND), FEW)
 
 
 class Gone(LookCase):

@@ -236,6 +236,7 @@ class Drags(SplineWindow):
     def test_numbers_of_the_table(self):
         obj, panel = self.spline(family=BETA)
         self.assertEqual(panel.table.rowCount(), 5)
+        self.assertEqual(panel.table.verticalScrollBar().maximum(), 0)  # all points are seen
         panel.table.item(2, 4).setText("2.5")
         self.wait()
         self.assertEqual(list(obj.Bias), [1, 1, 2.5, 1, 1])
@@ -245,6 +246,10 @@ class Drags(SplineWindow):
         key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
         self.wait()
         self.assertEqual(list(obj.Bias), [1])
+        panel.table.item(2, 4).setText("2.3359371603065335")
+        self.wait()
+        self.assertEqual(panel.table.item(2, 4).text(), "2.3359")
+        whole_window("point-table")
         self.set_field(panel, "family", "Polygon, gamma")
         self.assertTrue(panel.table.isColumnHidden(3) and panel.table.isColumnHidden(4))
         self.cancel()

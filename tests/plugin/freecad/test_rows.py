@@ -65,11 +65,32 @@ def test_a_seam_that_was_not_measured_is_the_worst(gap, angle):
     assert rows.severity(one, TOLERANCE, "G1") == math.inf
 
 
-def test_a_column_without_values_can_be_left_out():
-    some = built(seam(1), seam(2, "crease", curvature=None))
-    assert rows.has_values(some, "curvature_rel")
-    assert not rows.has_values(some, "curvature_change_rel")
-    assert not rows.has_values([], "seam")
+@pytest.mark.parametrize(
+    "level, field", [("G0", "gap_mm"), ("G1", "angle_deg"), ("G2", "curvature_rel")]
+)
+def test_below_the_defects_a_column_shows_the_order(level, field):
+    seams = [
+        seam(1, gap=9e-3, angle=0.01, curvature=0.001),
+        seam(2, gap=1e-5, angle=0.02, curvature=0.01),
+        seam(3, gap=1e-3, angle=0.02, curvature=0.005),
+        seam(4, gap=1e-4, angle=0.0, curvature=0.02),
+        seam(5, "defect", gap=1e-3, angle=1.0),
+        seam(6, "defect", gap=1.0, angle=0.3),
+    ]
+    report = {"seams": seams, "tolerance": TOLERANCE, "freecad": {"level": level}}
+    found = rows.build_rows(report)
+    figures = [getattr(row, field) for row in found[2:]]
+    assert figures == sorted(figures, reverse=True)
+    if level == "G1":
+        assert [row.seam for row in found] == [6, 5, 3, 2, 1, 4]
+
+
+def test_columns_that_tell_nothing_are_needless():
+    sure = {**seam(1), "certified": True}
+    change = {**sure, "curvature_change_rel": figure(0.5)}
+    for field, teller in (("curvature_change_rel", change), ("certain", seam(1))):
+        assert rows.NEEDLESS[field](built(sure, sure))
+        assert not rows.NEEDLESS[field](built(sure, teller))
 
 
 @pytest.mark.parametrize("field, wanted", [

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands, task panel and picture, in FreeCAD's window; run by run_freecad.py --window."""
 
+import csv
 import os
 import sys
 import tempfile
@@ -288,6 +289,37 @@ class Panel(WindowCase):
             self.assertEqual(os.listdir(folder), ["seams.csv"])
             self.assertFalse(export_dialog.export_to(obj, os.path.join(folder, "no", "seams.csv")))
         self.assertIn("does not exist", messages()[0])
+
+    def test_a_table_is_written_as_it_is_shown(self):
+        obj, panel = self.analyse()
+        path = os.path.join(OUT, "shown.csv")
+
+        def exported(kind, path):
+            with mock.patch.object(QtWidgets.QFileDialog, "getSaveFileName") as dialog:
+                dialog.return_value = (path, "")
+                with mock.patch.object(export_dialog.messages, "say") as say:
+                    panel._asked(kind)
+            return say.call_args.args[0].replace(path, "PATH")
+
+        def written():
+            with open(path, encoding="utf-8") as file:
+                return [int(line["id"]) for line in csv.DictReader(file)]
+
+        self.assertEqual(exported("csv", path), "18 of 18 seams are written to PATH.")
+        panel.seam_table.table.sortByColumn(0, QtCore.Qt.DescendingOrder)
+        self.assertEqual(exported("csv", path), "18 of 18 seams are written to PATH.")
+        self.assertEqual(written(), list(range(18, 0, -1)))
+        shown = panel.seam_table.filter
+        shown.setCurrentIndex(shown.findData("crease"))
+        settle()
+        seams = panel.results.report["seams"]
+        creases = [seam["id"] for seam in seams if seam["class"] == "crease"]
+        self.assertEqual(
+            exported("csv", path), "%d of 18 seams (crease) are written to PATH." % len(creases)
+        )
+        self.assertEqual(written(), creases[::-1])
+        whole = os.path.join(OUT, "shown.json")
+        self.assertEqual(exported("json", whole), "18 of 18 seams are written to PATH.")
 
     def answer(self, text):
         """Press a button of the one question that is shown."""

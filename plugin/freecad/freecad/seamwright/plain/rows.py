@@ -235,11 +235,20 @@ def build_rows(report):
     """Return all rows of a report (a dict with the keys of the JSON file), the worst first."""
     level = report.get("freecad", {}).get("level", "G1")
     rows = [Row(report, seam, level) for seam in report.get("seams", ())]
-    return sorted(rows, key=_worst_first)
+    return sorted(rows, key=lambda row: _worst_first(row, level))
 
 
-def _worst_first(row):
-    return (palette.rank(row.seam_class), -row.severity, row.seam)
+def _worst_first(row, level):
+    """Sort defects by how much they exceed the tolerances, and others as a column shows it.
+
+    That is the column of the level: the angle for G1. A figure that was not measured comes first.
+    """
+    if row.seam_class == palette.DEFECT.key:
+        figures = [row.severity]
+    else:
+        figures = [getattr(row, name) for name in reversed(DECIDING[level])]
+    figures = [math.inf if figure is None else figure for figure in figures]
+    return (palette.rank(row.seam_class), [-figure for figure in figures], row.seam)
 
 
 def severity(seam, tolerance, level):
@@ -345,9 +354,11 @@ def _sort_key(row, field):
     return value
 
 
-def has_values(rows, field):
-    """Return whether any row has a value of that field."""
-    return any(getattr(row, field) is not None for row in rows)
+#: Columns that are left out where they tell nothing, and when they do, as a function of all rows.
+NEEDLESS = {
+    "curvature_change_rel": lambda rows: all(row.curvature_change_rel is None for row in rows),
+    "certain": lambda rows: all(row.certain for row in rows),
+}
 
 
 # These take the place of a class in filters.

@@ -17,7 +17,7 @@ from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.flow import FlowLayout
-from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_text
+from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_summary
 from freecad.seamwright.gui.widgets.keys import PanelKeys
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
@@ -112,7 +112,7 @@ class AnalysisPanel:
 
     def _build(self):
         self.form, layout = make_form(tr("Seam Analysis"), "seamwright-analyze")
-        self.summary = make_text()
+        self.summary = make_summary()
         layout.addWidget(self.summary)
         self.match_button = QtWidgets.QPushButton()
         self.match_button.clicked.connect(lambda *_: self._match(self._proposal()))
@@ -146,8 +146,8 @@ class AnalysisPanel:
             self.obj.ViewObject.Proxy.refresh(self.obj.ViewObject)
             self.results = analysis.known_results(self.obj) or SeamResults("", [], {"seams": []})
         self.picker.numbers = self.results.numbers_on(self.obj.Name)
-        self.seam_table.show_results(self.results)
         self.obj.ViewObject.Proxy.mark([], [], [])
+        self.seam_table.show_results(self.results)
         self.summary.setText(self._summary())
         proposal = self._proposal()
         self.match_button.setVisible(proposal is not None)
@@ -306,7 +306,7 @@ class AnalysisPanel:
         if key == "repair":
             QtCore.QTimer.singleShot(0, _repair)
         elif key in ("csv", "json"):
-            export_dialog.ask_and_export(self.obj, (key,))
+            export_dialog.ask_and_export(self.obj, (key,), self.seam_table.shown_seams())
         else:
             numbers = [row.seam for row in self.seam_table.chosen_rows()]
             self._show_seams(numbers, look=key == "zoom")
@@ -322,8 +322,10 @@ def _buttons(asked):
     for key, text, tip in (
         ("repair", tr("Repair\u2026"),
          tr("Repair the seams of the selected rows, or all defects if no row is selected")),
-        ("csv", tr("Export CSV\u2026"), tr("Write a table with a line for each seam")),
-        ("json", tr("Export JSON\u2026"), tr("Write the report as the command seamwright does")),
+        ("csv", tr("Export CSV\u2026"),
+         tr("Write a table with a line for each seam that is shown, in this order")),
+        ("json", tr("Export JSON\u2026"),
+         tr("Write the report of all seams as the command seamwright does")),
     ):  # fmt: skip
         button = QtWidgets.QPushButton(text)
         button.setToolTip(tip)

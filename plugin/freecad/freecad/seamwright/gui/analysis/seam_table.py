@@ -27,7 +27,7 @@ class SeamTable(QtWidgets.QWidget):
         super().__init__()
         self.model = SeamTableModel()
         self._look, self._silent = True, False
-        self._kept = set()
+        self._kept, self._names = set(), set()
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addLayout(self._build_filter())
@@ -47,7 +47,12 @@ class SeamTable(QtWidgets.QWidget):
         self.filter.currentIndexChanged.connect(self._filter_changed)
         line.add(self.filter, 1)
         worst = QtWidgets.QPushButton(tr("Worst first"))
-        worst.setToolTip(tr("Sort by class, then by how much the figures exceed the tolerances"))
+        worst.setToolTip(
+            tr(
+                "Sort by class: defects by how much their figures exceed the tolerances, others by "
+                "the figure of the level, such as the angle for G1"
+            )
+        )
         worst.clicked.connect(self.sort_worst_first)
         line.add(worst)
         return line
@@ -61,18 +66,31 @@ class SeamTable(QtWidgets.QWidget):
         return self.table
 
     def show_results(self, results):
-        """Show the seams of SeamResults; filter and order stay."""
+        """Show the seams of SeamResults; filter, order and the chosen seams stay.
+
+        Their edges tell which they are: their numbers may differ. An empty table, as before a long
+        report has been read, has no choice that could replace the last one.
+        """
+        if self.model.rowCount():
+            self._names = {row.edge_text for row in self.chosen_rows()}
         self._silent = True
         self.table.clearSelection()
         self._silent = False
         self.model.set_rows(results.rows)
         for index, column in enumerate(rows.COLUMNS):
-            if column.field == "curvature_change_rel":
-                known = rows.has_values(results.rows, column.field)
-                self.table.setColumnHidden(index, not known)
+            if column.field in rows.NEEDLESS:
+                self.table.setColumnHidden(index, rows.NEEDLESS[column.field](results.rows))
         for index, count in enumerate(filters.counts(results.report)):
             self.filter.setItemText(index, "%s (%d)" % (tr(filters.NAMES[index]), count))
         self.table.fit_columns(new_texts=True)
+        self._choose_again()
+
+    def _choose_again(self):
+        lines = self.model.rows_of_names(self._names) if self._names else []
+        if lines:
+            self._look = False
+            self._select(lines)
+            self._look = True
 
     def show_filter(self, name):
         """Show the seams of a choice of filters.NAMES."""
@@ -84,6 +102,10 @@ class SeamTable(QtWidgets.QWidget):
         ranges = self.table.selectionModel().selection()
         lines = {line for each in ranges for line in range(each.top(), each.bottom() + 1)}
         return [self.model.row(line) for line in sorted(lines)]
+
+    def shown_seams(self):
+        """Return the numbers of the seams that the filter lets pass, in the order of the table."""
+        return [self.model.row(line).seam for line in range(self.model.rowCount())]
 
     def sort_worst_first(self, *_):
         """Restore the initial order."""
@@ -113,6 +135,7 @@ class SeamTable(QtWidgets.QWidget):
 
     def _filter_changed(self, index):
         self.model.set_filter(self.filter.itemData(index))
+        self.table.fit_columns(new_texts=True)
         self.filter_chosen.emit(filters.NAMES[index])
 
     def _remember(self):

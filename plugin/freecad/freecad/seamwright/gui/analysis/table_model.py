@@ -45,6 +45,10 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         """Return the indices of the shown rows of these seams."""
         return [index for index, row in enumerate(self._shown) if row.seam in numbers]
 
+    def rows_of_names(self, names):
+        """Return the indices of the shown rows whose edges have one of these texts."""
+        return [index for index, row in enumerate(self._shown) if row.edge_text in names]
+
     def rowCount(self, parent=None):
         """Return the number of shown rows."""
         return 0 if parent is not None and parent.isValid() else len(self._shown)

@@ -9,8 +9,9 @@ from freecad.seamwright.plain.language import mark, tr
 HEIGHT = 260
 
 #: Columns that become narrower than their texts where the panel has no room, and how narrow, in
-#: pixels. Of other columns only the headings do.
-ELASTIC = {"edge_text": 40, "face_text": 58}
+#: pixels: figures as wide as most numbers, not as an enclosure "0.0918..0.0952". Of other columns
+#: only the headings do.
+ELASTIC = {"edge_text": 40, "face_text": 58, **dict.fromkeys(rows.SHOWN, 66)}
 
 #: Headings of so few letters stay whole; the room beside a heading, in pixels.
 SHORT, MARGIN = 5, 14
@@ -86,7 +87,7 @@ class SeamTableView(QtWidgets.QTableView):
         self._fitting = False
 
     def _widths_of(self, column):
-        """Return (least width, width of the whole texts) of a column."""
+        """Return (least width, width of the texts, width of texts and heading) of a column."""
         texts, shown = self.sizeHintForColumn(column) + 1, rows.COLUMNS[column]
         title = lengths.titled(shown.title)
         heading = self.horizontalHeader().fontMetrics().boundingRect(title).width() + MARGIN
@@ -94,7 +95,8 @@ class SeamTableView(QtWidgets.QTableView):
         least = ELASTIC.get(shown.field, max(texts, SMALLEST))
         if len(title) <= SHORT and shown.field not in ELASTIC:
             least = max(least, heading)
-        return min(least, whole), whole
+        least = min(least, whole)
+        return least, max(least, texts), whole
 
     def _column_resized(self, *_):
         # Hiding a column and the first layout resize columns too.
@@ -162,15 +164,16 @@ class SeamTableView(QtWidgets.QTableView):
 
 
 def _fitted(widths, room):
-    """Return widths whose sum fits the room, from (least, whole) of each column.
+    """Return widths that fit the room, from (least, that of the texts, whole) of each column.
 
-    All columns give way by the same part of what they can. The last one takes the room that the
-    texts do not need.
+    The texts get room before the headings. Where it is not enough, all columns get the same part
+    of what they lack. The last one takes the room that is left.
     """
-    least = sum(narrow for narrow, _ in widths)
-    slack = sum(whole for _, whole in widths) - least
-    part = min(1.0, max(0.0, (room - least) / slack)) if slack else 0.0
-    fitted = [int(narrow + part * (whole - narrow)) for narrow, whole in widths]
+    fitted = [least for least, *_ in widths]
+    for goals in zip(*(wanted for _, *wanted in widths)):
+        lacking = sum(goals) - sum(fitted)
+        part = min(1.0, max(0.0, (room - sum(fitted)) / lacking)) if lacking else 0.0
+        fitted = [int(own + part * (goal - own)) for own, goal in zip(fitted, goals)]
     if fitted:
-        fitted[-1] += max(0, room - sum(fitted)) if part == 1.0 else 0
+        fitted[-1] += max(0, room - sum(fitted))
     return fitted

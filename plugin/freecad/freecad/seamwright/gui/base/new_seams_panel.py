@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from freecad.seamwright.gui.base.replacing_panel import ReplacingPanel
 from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.scene import seam_view
-from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.forms import make_box, make_summary, make_text
 from freecad.seamwright.plain import new_seams, rows
 from freecad.seamwright.plain.language import tr
 
@@ -64,7 +64,7 @@ class NewSeamsPanel(ReplacingPanel):
     def build_result(self):
         """Return the box of the result; it has ``summary``."""
         box, layout = make_box(tr("Result"))
-        self.summary, self.remark = make_text(), make_text()
+        self.summary, self.remark = make_summary(), make_text()
         self.table = RowTable(new_seams.COLUMNS, TABLE_HEIGHT)
         self.remark.hide()
         for widget in (self.summary, self.table, self.remark):

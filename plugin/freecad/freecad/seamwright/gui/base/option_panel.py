@@ -118,15 +118,17 @@ class OptionPanel(ResultPanel):
         for name, title, tip in kind.LINKS:
             self.boxes[name] = self.build_sources(name, tr(title), description(tip))
             layout.addWidget(self.boxes[name])
-        self.options = OptionForm(self.obj, kind.OPTIONS)
+        self.tolerances = first = None
+        if kind.TOLERANCES:
+            self.tolerances = ToleranceForm(kind.TOLERANCES, kind.LEVEL, self.obj, level_apart=True)
+        if kind.LEVEL:
+            first = tr(kind.LEVEL[0]), self.tolerances.level
+        self.options = OptionForm(self.obj, kind.OPTIONS, first)
         for widget in (*self.build_options(), self._timer.button, self.build_result()):
             layout.addWidget(widget)
         self._timer.button.setVisible(not self._timer.live)
-        self.tolerances = None
-        if kind.TOLERANCES:
-            self.tolerances = ToleranceForm(kind.TOLERANCES, kind.LEVEL, self.obj)
-            title = tr("Target and tolerances") if kind.LEVEL else tr("Tolerances")
-            layout.addWidget(make_box(title, self.tolerances)[0])
+        if self.tolerances is not None:
+            layout.addWidget(make_box(tr("Tolerances"), self.tolerances)[0])
         layout.addStretch(1)
 
     def _connect(self):

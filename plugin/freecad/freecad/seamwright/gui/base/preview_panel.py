@@ -12,7 +12,9 @@ from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets.computation import Computation
-from freecad.seamwright.gui.widgets.forms import make_form, make_show_line, make_text
+from freecad.seamwright.gui.widgets.forms import (
+    make_form, make_show_line, make_summary, make_text, offer_after
+)  # fmt: skip
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain.language import mark, tr
 
@@ -98,7 +100,7 @@ class PreviewPanel(ResultPanel):
 
     def _build(self):
         self.form, layout = make_form(tr(self.TITLE), self.ICON)
-        self.summary, self.remark = make_text(), make_text()
+        self.summary, self.remark = make_summary(), make_text()
         self.table = RowTable(self.COLUMNS, TABLE_HEIGHT)
         self.remark.hide()
         for widget in (self.summary, self.table, self.remark):
@@ -157,7 +159,7 @@ class PreviewPanel(ResultPanel):
         """Show these rows, and the text above them."""
         self.summary.setText(text)
         self.table.show_rows(built)
-        self.after.setEnabled(self.has_result())
+        offer_after(self.before, self.after, self.has_result())
 
     def show_before(self):
         """Show the source, since there is no result yet."""

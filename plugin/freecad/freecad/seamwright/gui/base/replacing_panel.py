@@ -6,7 +6,7 @@ It has a choice to show the model before or after.
 
 from freecad.seamwright.gui.base.option_panel import OptionPanel
 from freecad.seamwright.gui.widgets import messages
-from freecad.seamwright.gui.widgets.forms import make_show_line
+from freecad.seamwright.gui.widgets.forms import make_show_line, offer_after
 from freecad.seamwright.plain.language import tr
 
 
@@ -39,6 +39,10 @@ class ReplacingPanel(OptionPanel):
             self._uncover([each.Name for each in replaced])
         return True
 
+    def has_after(self):
+        """Return whether there is something to show as the model after."""
+        return self.has_result()
+
     # The window.
 
     def build_show(self):
@@ -54,8 +58,8 @@ class ReplacingPanel(OptionPanel):
 
     def refresh(self):
         """Show the results as they are stored now."""
+        offer_after(self.before, self.after, self.has_after())
         super().refresh()
-        self.after.setEnabled(self.has_result())
 
     def show(self, after):
         """Show the result or its sources."""
@@ -86,5 +90,6 @@ class ReplacingPanel(OptionPanel):
 
     def take(self, name, chosen):
         """Let a property have these links, which are usable; compute, and show the result."""
-        self.after.setChecked(True)
+        if self.after.isEnabled():
+            self.after.setChecked(True)
         super().take(name, chosen)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A table of seams: rows with texts, of which the last has a colour that tells the outcome."""
+"""A table of seams: rows with texts, of which the last has a colour that tells the outcome.
+
+It stands beside the first one, where it is always seen.
+"""
 
 from freecad.seamwright.gui.widgets import ink
 from freecad.seamwright.gui.widgets.forms import name_columns, show_seams_in
@@ -8,6 +11,9 @@ from freecad.seamwright.plain import repair_text
 
 #: Text colours of the last column, by the state of a row.
 INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
+
+#: The least width of the outcome, in pixels.
+LEAST = 150
 
 
 class RowTable(QtWidgets.QTableWidget):
@@ -21,16 +27,34 @@ class RowTable(QtWidgets.QTableWidget):
         super().__init__(0, len(columns))
         self.rows, self._columns = [], columns
         name_columns(self, self._columns)
+        header = self.horizontalHeader()
+        header.moveSection(len(columns) - 1, 1)  # far columns may be off the panel
+        header.setStretchLastSection(True)
         self.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self, height)
         self.fit_columns()
 
     def fit_columns(self):
-        """Fit the widths of columns to their texts; the last column fills the remaining width."""
-        header, last = self.horizontalHeader(), self.columnCount() - 1
+        """Fit the columns to their texts.
+
+        The outcome gets the room that the others leave, so a long reason is cut off.
+        """
+        header, outcome = self.horizontalHeader(), self.columnCount() - 1
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        if header.length() <= self.viewport().width():
-            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
+        widths = [
+            max(self.sizeHintForColumn(column), header.sectionSizeHint(column))
+            for column in range(outcome + 1)
+            if not self.isColumnHidden(column)
+        ]
+        whole = widths.pop()
+        room = self.viewport().width() - sum(widths)
+        header.setSectionResizeMode(outcome, QtWidgets.QHeaderView.Interactive)
+        header.resizeSection(outcome, min(whole, max(room, LEAST)))
+
+    def resizeEvent(self, event):
+        """Fit the columns to the new width."""
+        super().resizeEvent(event)
+        self.fit_columns()
 
     def show_rows(self, rows):
         """Show these rows."""

@@ -9,7 +9,7 @@ from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.boxes import SpinBox
 from freecad.seamwright.gui.widgets.flow import FlowLayout
-from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_text
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_summary, make_text
 from freecad.seamwright.gui.widgets.number_field import LENGTH, PLAIN, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove
@@ -43,7 +43,7 @@ class CurvePanel(OptionPanel):
     def build_result(self):
         """Return the box of the result; it has ``summary``."""
         box, layout = make_box(tr("Result"))
-        self.summary = make_text()
+        self.summary = make_summary()
         layout.addWidget(self.summary)
         self.comb = QtWidgets.QCheckBox(tr("Curvature comb"))
         self.comb.setToolTip(tr("Draw lines across the curve, as long as its curvature is large"))

@@ -13,7 +13,8 @@ AXES = ("X", "Y", "Z")
 #: The arguments of the columns after the coordinates, with their headings.
 COLUMNS = (("tension", mark("Tension")), ("bias", mark("Bias")))
 
-HEIGHT = 160
+#: The points that are seen at once.
+LINES = 6
 
 
 class PointTable(QtWidgets.QTableWidget):
@@ -33,7 +34,10 @@ class PointTable(QtWidgets.QTableWidget):
         self._points, self._numbers, self._shows = (), [], False
         self.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         self.horizontalHeader().setMinimumSectionSize(1)
-        self.setFixedHeight(HEIGHT)
+        line = self.fontMetrics().height() + 6
+        self.verticalHeader().setDefaultSectionSize(line)
+        heading = self.horizontalHeader().sizeHint().height()
+        self.setFixedHeight(heading + LINES * line + 2 * self.frameWidth())
         self.setToolTip(
             tr("Coordinates, tension and bias of each point; a bad number is not taken")
         )
@@ -59,8 +63,7 @@ class PointTable(QtWidgets.QTableWidget):
             for axis in range(len(AXES)):
                 self._put(row, axis, "%.7g" % (points[row][axis] / unit.mm))
             for column, numbers in enumerate(self._numbers, len(AXES)):
-                text = options.numbers_text(numbers[row : row + 1]) if row < len(numbers) else ""
-                self._put(row, column, text)
+                self._put(row, column, "%.5g" % numbers[row] if row < len(numbers) else "")
         self._shows = False
 
     def _put(self, row, column, text):

@@ -26,6 +26,10 @@ class FillPanel(NewSeamsPanel):
         super().release()
         self.obj.ViewObject.Proxy.show_missed(False)
 
+    def has_after(self):
+        """Return whether there are fills to show, kept or not."""
+        return self.has_result() or not self.obj.Rejected.isNull()
+
     # The window.
 
     def build_result(self):
@@ -115,7 +119,6 @@ class FillPanel(NewSeamsPanel):
     def refresh(self):
         """Show the results as they are stored now, and the tolerances that a fill would need."""
         super().refresh()
-        self.after.setEnabled(self.has_result() or not self.obj.Rejected.isNull())
         self.allow.setVisible(bool(fill_misses.allowed(fill.report_of(self.obj))))
 
     def show(self, after):

@@ -17,7 +17,7 @@ from freecad.seamwright.gui.base.option_panel import OptionPanel
 from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.maps.plot import Line, Plot
 from freecad.seamwright.gui.widgets.boxes import ComboBox
-from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.forms import make_box, make_summary, make_text
 from freecad.seamwright.plain import maps, seam_text
 from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.ramps import figure
@@ -55,7 +55,7 @@ class ToolPanel(OptionPanel):
     def build_result(self):
         """Return the box of the result; it has ``summary``, and for a Seam Plot the plot."""
         box, layout = make_box(tr("Result"))
-        self.summary = make_text()
+        self.summary = make_summary()
         layout.addWidget(self.summary)
         if isinstance(self.obj.Proxy, SeamPlot):
             self._build_plot(layout)

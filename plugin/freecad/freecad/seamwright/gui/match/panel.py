@@ -5,7 +5,7 @@ from freecad.seamwright.document import match
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.gui.base.replacing_panel import ReplacingPanel
 from freecad.seamwright.gui.scene.zebra import zebra
-from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.forms import make_box, make_summary
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import match_text
 from freecad.seamwright.plain.language import tr
@@ -13,6 +13,9 @@ from freecad.seamwright.plain.language import tr
 #: The button to exchange the faces stands beside the second one.
 FIRST, SECOND = match.FACES
 EDGE = "CommonEdge"
+
+#: Lines of the summary with all that it may tell of two faces.
+SUMMARY_LINES = 4
 
 
 class MatchPanel(ReplacingPanel):
@@ -54,7 +57,7 @@ class MatchPanel(ReplacingPanel):
     def build_result(self):
         """Return the box of the result; it has ``summary``."""
         box, layout = make_box(tr("Result"))
-        self.summary = make_text()
+        self.summary = make_summary(SUMMARY_LINES)
         layout.addWidget(self.summary)
         count = len(match_text.table(report_of(self.obj)))
         self.table = QtWidgets.QTableWidget(count, 2)

@@ -13,7 +13,9 @@ from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.scene.substitutes import local_shape
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import ink, messages
-from freecad.seamwright.gui.widgets.forms import make_box, make_text, name_columns, show_seams_in
+from freecad.seamwright.gui.widgets.forms import (
+    make_box, make_summary, name_columns, show_seams_in
+)  # fmt: skip
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain import repair_text, rows, surface_text
 from freecad.seamwright.plain.language import tr
@@ -56,7 +58,7 @@ class SurfacePanel(OptionPanel):
     def build_result(self):
         """Return the box of the result; it has ``summary``."""
         box, layout = make_box(tr("Result"))
-        self.summary = make_text()
+        self.summary = make_summary()
         self.table = QtWidgets.QTableWidget(0, len(surface_text.COLUMNS))
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self.table, TABLE_HEIGHT)

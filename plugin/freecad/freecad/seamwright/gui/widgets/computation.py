@@ -89,6 +89,9 @@ class Computation:
         self.stop_button.clicked.connect(lambda *_: self.stop())
         for widget, stretch in ((self.text, 0), (self.bar, 1), (self.stop_button, 0)):
             layout.addWidget(widget, stretch)
+        room = self.line.sizePolicy()
+        room.setRetainSizeWhenHidden(True)  # the fields stay under the mouse
+        self.line.setSizePolicy(room)
         self.line.hide()
         self._form.layout().insertWidget(0, self.line)  # the bottom of a long form may be hidden
 

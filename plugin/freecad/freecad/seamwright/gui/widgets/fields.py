@@ -251,12 +251,16 @@ class OptionForm(QtWidgets.QWidget):
 
     changed = QtCore.Signal()
 
-    def __init__(self, obj, table):
+    def __init__(self, obj, table, first=None):
+        """``first``: (name, widget) of another field, above those of the options."""
         super().__init__()
         layout = QtWidgets.QGridLayout(self)  # in a QFormLayout hidden rows leave gaps
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setColumnStretch(1, 1)
         self.fields, self._hidden = {}, ()
+        if first is not None:
+            layout.addWidget(Label(first[0]), 0, 0)
+            layout.addWidget(first[1], 0, 1)
         for option in table:
             field = FIELDS[option.kind](obj, option)
             field.changed.connect(self._changed)

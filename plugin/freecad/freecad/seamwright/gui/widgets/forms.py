@@ -42,6 +42,16 @@ def make_show_line():
     return line, before, after
 
 
+def offer_after(before, after, there):
+    """Let After be chosen while there is something to show, and choose it when that appears.
+
+    Else Before is chosen.
+    """
+    if there != after.isEnabled():
+        after.setEnabled(there)
+        (after if there else before).setChecked(True)
+
+
 class Label(QtWidgets.QLabel):
     """A text beside a field: in one line where there is room, else in several."""
 
@@ -60,6 +70,16 @@ def make_text():
     """Return a label whose text is broken into lines."""
     label = QtWidgets.QLabel()
     label.setWordWrap(True)
+    return label
+
+
+def make_summary(lines=2):
+    """Return a label for a text of about so many lines: what is below stays where it is."""
+    label = make_text()
+    label.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
+    label.setText("\n".join("x" * lines))
+    label.setMinimumHeight(label.sizeHint().height())
+    label.clear()
     return label
 
 

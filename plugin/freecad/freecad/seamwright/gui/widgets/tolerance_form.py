@@ -35,12 +35,13 @@ class ToleranceForm(QtWidgets.QWidget):
 
     The form changes no object, besides the expressions of its properties; ``values`` returns the
     values of its fields. ``choice``: (property for the level of continuity, its values), or None
-    without one. ``obj``: the object, or None where the fields are no properties.
+    without one. ``obj``: the object, or None where the fields are no properties. ``level_apart``:
+    ``level`` gets its place elsewhere in the panel.
     """
 
     changed = QtCore.Signal()
 
-    def __init__(self, table, choice=None, obj=None):
+    def __init__(self, table, choice=None, obj=None, level_apart=False):
         super().__init__()
         self._level_name, levels = choice or ("", ())
         self._arguments = {name: argument for name, argument, *_ in table}
@@ -51,7 +52,7 @@ class ToleranceForm(QtWidgets.QWidget):
         self.level.addItems(levels)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
         profile = self._build_profile()
-        if choice:
+        if choice and not level_apart:
             first_line = FlowLayout()
             for widget, stretch in (
                 (self.level, 1),

@@ -1177,10 +1177,6 @@ Gezeigt: {show}</translation>
         <translation>Alle Nähte</translation>
     </message>
     <message>
-        <source>All seams are written to {path}.</source>
-        <translation>Alle Nähte sind in {path} geschrieben.</translation>
-    </message>
-    <message>
         <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
         <translation>Erlauben, was die beste Füllung braucht, damit sie als eine behalten werden kann, die das Ziel erreicht</translation>
     </message>
@@ -2633,8 +2629,8 @@ Gezeigt: {show}</translation>
         <translation>Glatte Kurve</translation>
     </message>
     <message>
-        <source>Sort by class, then by how much the figures exceed the tolerances</source>
-        <translation>Nach Klasse sortieren, dann danach, wie weit die Werte die Toleranzen überschreiten</translation>
+        <source>Sort by class: defects by how much their figures exceed the tolerances, others by the figure of the level, such as the angle for G1</source>
+        <translation>Nach Klasse sortieren: Fehler danach, wie weit ihre Werte die Toleranzen überschreiten, andere nach dem Wert der Stufe, etwa dem Winkel bei G1</translation>
     </message>
     <message>
         <source>Spacing of the lamps</source>
@@ -2719,10 +2715,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>Target and limits</source>
         <translation>Zielstufe und Grenzen</translation>
-    </message>
-    <message>
-        <source>Target and tolerances</source>
-        <translation>Zielstufe und Toleranzen</translation>
     </message>
     <message>
         <source>Tension</source>
@@ -3005,12 +2997,12 @@ Gezeigt: {show}</translation>
         <translation>Schlechteste zuerst</translation>
     </message>
     <message>
-        <source>Write a table with a line for each seam</source>
-        <translation>Eine Tabelle mit einer Zeile für jede Naht schreiben</translation>
+        <source>Write a table with a line for each seam that is shown, in this order</source>
+        <translation>Eine Tabelle mit einer Zeile für jede gezeigte Naht schreiben, in dieser Reihenfolge</translation>
     </message>
     <message>
-        <source>Write the report as the command seamwright does</source>
-        <translation>Den Bericht schreiben, wie der Befehl seamwright es tut</translation>
+        <source>Write the report of all seams as the command seamwright does</source>
+        <translation>Den Bericht über alle Nähte schreiben, wie der Befehl seamwright es tut</translation>
     </message>
     <message>
         <source>Zebra stripes</source>
@@ -4653,6 +4645,14 @@ Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
     <message>
         <source>{why}; press Preview to analyse and repair the seams.</source>
         <translation>{why}; drücken Sie Vorschau, um die Nähte zu analysieren und zu reparieren.</translation>
+    </message>
+    <message>
+        <source>{written} of {every} seams ({show}) are written to {path}.</source>
+        <translation>{written} von {every} Nähten ({show}) sind in {path} geschrieben.</translation>
+    </message>
+    <message>
+        <source>{written} of {every} seams are written to {path}.</source>
+        <translation>{written} von {every} Nähten sind in {path} geschrieben.</translation>
     </message>
     <message>
         <source>“{label}” is {angle:g}°: at most 90° is needed</source>

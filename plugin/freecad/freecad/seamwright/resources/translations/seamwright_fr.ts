@@ -1176,10 +1176,6 @@ Shown: {show}</source>
         <translation>Toutes les coutures</translation>
     </message>
     <message>
-        <source>All seams are written to {path}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2630,7 +2626,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sort by class, then by how much the figures exceed the tolerances</source>
+        <source>Sort by class: defects by how much their figures exceed the tolerances, others by the figure of the level, such as the angle for G1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2716,10 +2712,6 @@ Shown: {show}</source>
     <message>
         <source>Target and limits</source>
         <translation>Cible et limites</translation>
-    </message>
-    <message>
-        <source>Target and tolerances</source>
-        <translation>Cible et tolérances</translation>
     </message>
     <message>
         <source>Tension</source>
@@ -3002,11 +2994,11 @@ Shown: {show}</source>
         <translation>Pires d'abord</translation>
     </message>
     <message>
-        <source>Write a table with a line for each seam</source>
+        <source>Write a table with a line for each seam that is shown, in this order</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Write the report as the command seamwright does</source>
+        <source>Write the report of all seams as the command seamwright does</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4648,6 +4640,14 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>{why}; press Preview to analyse and repair the seams.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{written} of {every} seams ({show}) are written to {path}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{written} of {every} seams are written to {path}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1177,10 +1177,6 @@ Shown: {show}</source>
         <translation>所有接缝</translation>
     </message>
     <message>
-        <source>All seams are written to {path}.</source>
-        <translation>所有接缝已写入 {path}。</translation>
-    </message>
-    <message>
         <source>Allow what the best fill needs, so that it can be kept as one that meets the target</source>
         <translation>允许最佳填充所需的公差，使它能作为达到目标的填充保留</translation>
     </message>
@@ -2633,8 +2629,8 @@ Shown: {show}</source>
         <translation>光滑曲线</translation>
     </message>
     <message>
-        <source>Sort by class, then by how much the figures exceed the tolerances</source>
-        <translation>按类别排序，再按数值超出公差的程度排序</translation>
+        <source>Sort by class: defects by how much their figures exceed the tolerances, others by the figure of the level, such as the angle for G1</source>
+        <translation>按类别排序：缺陷按数值超出公差的程度，其余按该等级的数值，例如 G1 的角度</translation>
     </message>
     <message>
         <source>Spacing of the lamps</source>
@@ -2719,10 +2715,6 @@ Shown: {show}</source>
     <message>
         <source>Target and limits</source>
         <translation>目标和限制</translation>
-    </message>
-    <message>
-        <source>Target and tolerances</source>
-        <translation>目标和公差</translation>
     </message>
     <message>
         <source>Tension</source>
@@ -3005,12 +2997,12 @@ Shown: {show}</source>
         <translation>最差优先</translation>
     </message>
     <message>
-        <source>Write a table with a line for each seam</source>
-        <translation>写入表格，每条接缝一行</translation>
+        <source>Write a table with a line for each seam that is shown, in this order</source>
+        <translation>写入表格，所显示的每条接缝一行，按显示的顺序</translation>
     </message>
     <message>
-        <source>Write the report as the command seamwright does</source>
-        <translation>按命令 seamwright 的格式写入报告</translation>
+        <source>Write the report of all seams as the command seamwright does</source>
+        <translation>按命令 seamwright 的格式写入所有接缝的报告</translation>
     </message>
     <message>
         <source>Zebra stripes</source>
@@ -4653,6 +4645,14 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <message>
         <source>{why}; press Preview to analyse and repair the seams.</source>
         <translation>{why}；按“预览”以分析并修复接缝。</translation>
+    </message>
+    <message>
+        <source>{written} of {every} seams ({show}) are written to {path}.</source>
+        <translation>{every} 条接缝中的 {written} 条（{show}）已写入 {path}。</translation>
+    </message>
+    <message>
+        <source>{written} of {every} seams are written to {path}.</source>
+        <translation>{every} 条接缝中的 {written} 条已写入 {path}。</translation>
     </message>
     <message>
         <source>“{label}” is {angle:g}°: at most 90° is needed</source>
