@@ -150,7 +150,7 @@ def test_holes_are_listed(shell):
         ({"face": 64, "angle_deg": 0}, "angle tolerance is 0 deg"),
         (
             {"face": 64, "corner_deg": 200},
-            "corner angle is 200 degrees: it must be within 0 and 180",
+            "corner angle is 200 degrees: it must be above 0 and below 180",
         ),
     ],
 )
@@ -161,7 +161,7 @@ def test_bad_arguments(shell, arguments, message):
 
 def test_a_bad_corner_angle_of_holes_is_told_in_degrees(shell):
     with pytest.raises(
-        ValueError, match="corner angle is 500 degrees: it must be within 0 and 180"
+        ValueError, match="corner angle is 500 degrees: it must be above 0 and below 180"
     ):
         shell.holes(corner_deg=500)
 
