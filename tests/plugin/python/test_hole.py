@@ -206,8 +206,8 @@ def test_seams_that_end_at_a_hole_are_repaired_first():
 
 
 def test_a_repair_that_spoils_the_fill_is_left_out():
-    # The hole lies in a plane. The kink vanishes towards it, so a plane fills it G2. The repair makes
-    # the seam G2 by moves of poles beside the hole, which then lies in no plane.
+    # The hole lies in a plane. The kink vanishes towards it, so a plane fills it G2. The repair
+    # makes the seam G2 by moves of poles beside the hole, which then lies in no plane.
     model = ring_with_a_kink(0.1, patch=(0, 0), pole=(2, 1), flat=True)
     hole = next(h for h in model.holes() if not h.longest)
     plain = model.fill(hole=hole, target="G2")
@@ -215,7 +215,7 @@ def test_a_repair_that_spoils_the_fill_is_left_out():
     assert plain.reached and fill.reached and fill.filled
     assert fill.around["repaired"] > 0 and not fill.around["used"]
     assert "without them one does: left out" in fill.to_table()
-    for face in set(range(1, fill.model.face_count + 1)) - set(fill.faces):
+    for face in set(range(1, fill.model.face_count + 1)) - set(fill.to_dict()["faces"]):
         assert np.array_equal(fill.model.surface(face).poles, plain.model.surface(face).poles)
 
 
