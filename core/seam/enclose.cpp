@@ -110,6 +110,7 @@ class Enclosure {
   double excess(const PieceBound& bound, Quantity quantity) const;
   double excess(const Piece& piece) const;
   bool isOnOneSide(const PieceBound& relative_curvature) const;
+  bool isFoldUnknown(const Piece& piece) const;
   bool isSettled(const Piece& piece) const;
   std::vector<double> partsOf(const Piece& piece) const;
 
@@ -151,8 +152,7 @@ double Enclosure::allowed(Quantity quantity) const {
 bool Enclosure::isEnough(Quantity quantity, double upper) const {
   if (quantity == RelativeCurvature || quantity == RelativeChange)
     upper = std::min(upper, largest_relative_difference);
-  if (upper <= lower_[quantity] + allowed(quantity)) return true;
-  if (options_.figures) return false;
+  if (options_.figures) return upper <= lower_[quantity] + allowed(quantity);
   return quantity == Curvature || quantity == Change || upper <= tolerated(quantity) ||
          lower_[quantity] > tolerated(quantity);
 }
@@ -164,11 +164,19 @@ bool Enclosure::isOnOneSide(const PieceBound& relative_curvature) const {
          relative_curvature.lower > tolerance_.curvature_rel;
 }
 
+/// Whether the angle may be that of a fold, and it is not known to which sides the faces leave.
+/// Where the seam is sharp anyway, a fold would not change the verdict.
+bool Enclosure::isFoldUnknown(const Piece& piece) const {
+  return lower_[Angle] <= tolerance_.crease_rad && piece.figures.sense == 0 &&
+         piece.figures.smallest_angle_rad <= tolerance_.crease_rad;
+}
+
 /// Whether no figure of the piece needs a cut.
 bool Enclosure::isSettled(const Piece& piece) const {
   const PieceFigures& f = piece.figures;
   if (!isEnough(Gap, f.gap_mm.upper)) return false;
   if (piece.left_out) return true;
+  if (isFoldUnknown(piece)) return false;
   const double crease = tolerance_.crease_rad;
   const bool sharp = lower_[Angle] > crease;
   // The share of the length below the crease angle is needed to a hundredth. A fold counts at any
@@ -202,6 +210,7 @@ double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
 /// bound is known.
 double Enclosure::excess(const Piece& piece) const {
   const PieceFigures& figures = piece.figures;
+  if (isFoldUnknown(piece)) return infinite;
   const double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
   if (detail() == Detail::TangentPlane) return largest;
   if (!figures.curvature_per_mm) return infinite;

@@ -14,9 +14,8 @@ namespace {
 struct Summary {
   std::array<double, Quantities> upper{};
   bool has_plane = false;  ///< on some piece
-  bool may_fold = false;
+  bool may_fold = false;   ///< somewhere, at less than the crease angle
   std::optional<double> fold_at, unknown_at;
-  bool isFoldOpen() const { return may_fold && !fold_at; }
 };
 
 /// The figures of pieces that are sorted by parameter.
@@ -34,6 +33,10 @@ class Figures {
 
  private:
   bool foldsAt(const Piece& piece) const { return folds(piece, seam_.faces_on_one_side); }
+  bool mayFoldAt(const Piece& piece) const { return mayFold(piece, seam_.faces_on_one_side); }
+  bool isSharp() const { return seam_.lower[Angle] > tolerance_.crease_rad; }
+  /// Whether a fold that is not excluded could change the verdict: not if the seam is sharp anyway.
+  bool isFoldOpen(const Summary& sum) const { return sum.may_fold && !sum.fold_at && !isSharp(); }
   Summary summary() const;
   std::optional<Figure> figure(Quantity quantity, double upper) const;
   void addFigures(const Summary& sum, SeamFigures& figures) const;
@@ -98,7 +101,7 @@ double Figures::planeShare() const {
 Interval Figures::belowCreaseShare() const {
   if (std::ranges::none_of(seam_.pieces, [&](const Piece& piece) {
         return !piece.left_out &&
-               (piece.figures.angle_rad.upper > tolerance_.crease_rad || foldsAt(piece));
+               (piece.figures.angle_rad.upper > tolerance_.crease_rad || mayFoldAt(piece));
       }))
     return {1, 1};
   if (std::ranges::none_of(seam_.pieces, [&](const Piece& piece) {
@@ -110,7 +113,8 @@ Interval Figures::belowCreaseShare() const {
     const PieceFigures& f = piece.figures;
     const bool is_above =
         piece.left_out || f.smallest_angle_rad > tolerance_.crease_rad || foldsAt(piece);
-    Interval& sum = is_above ? other : f.angle_rad.upper <= tolerance_.crease_rad ? below : either;
+    const bool is_below = f.angle_rad.upper <= tolerance_.crease_rad && !mayFoldAt(piece);
+    Interval& sum = is_above ? other : is_below ? below : either;
     const Interval length = length_a_.of(piece.from, piece.to);
     sum.lower += length.lower;
     sum.upper += length.upper;
@@ -142,9 +146,10 @@ Summary Figures::summary() const {
           std::max(sum.upper[RelativeChange], relative ? relative->upper : infinite);
     }
     if (!std::isfinite(f.angle_rad.upper)) sum.unknown_at = piece.at(0);
-    if (!foldsAt(piece)) continue;
-    if (f.angle_rad.upper <= tolerance_.crease_rad && !sum.fold_at) sum.fold_at = piece.at(0);
+    if (!mayFoldAt(piece)) continue;
     if (f.smallest_angle_rad <= tolerance_.crease_rad) sum.may_fold = true;
+    if (foldsAt(piece) && f.angle_rad.upper <= tolerance_.crease_rad && !sum.fold_at)
+      sum.fold_at = piece.at(0);
   }
   // The relative difference cannot be larger where the curvature has bounds at all.
   const auto limit = [&](Quantity relative, Quantity absolute) {
@@ -161,8 +166,7 @@ void Figures::addFigures(const Summary& sum, SeamFigures& figures) const {
   figures.fold_at = sum.fold_at;
   if (!sum.has_plane) return;
   figures.angle_rad = figure(Angle, sum.upper[Angle]);
-  const bool sharp = seam_.lower[Angle] > tolerance_.crease_rad;
-  if (sharp || sum.fold_at) return;
+  if (isSharp() || sum.fold_at) return;
   figures.curvature_per_mm = figure(Curvature, sum.upper[Curvature]);
   figures.curvature_rel = figure(RelativeCurvature, sum.upper[RelativeCurvature]);
   if (!seam_.has_change) return;
@@ -177,7 +181,7 @@ std::string Figures::whyUncertified(const Summary& sum, const SeamFigures& figur
     const std::string pieces = seam_.exhausted ? fmt::format(" with {} pieces", seam_.looks) : "";
     return fmt::format("no bound was found at {:.6g}{}", *sum.unknown_at, pieces);
   }
-  if (sum.isFoldOpen()) return "the faces may fold back on one another";
+  if (isFoldOpen(sum)) return "the faces may fold back on one another";
   if (!is_crease_known) return "the crease angle is passed near the middle of its length";
   if (!seam_.is_verdict_below_g2) {
     if (figures.curvature_rel && !figures.curvature_rel->upper)
@@ -199,7 +203,7 @@ SeamFigures Figures::all() const {
   const bool is_crease_known = !(share.lower <= 0.5 && share.upper > 0.5);
   figures.below_crease_share = share.middle();
   figures.plane_share = planeShare();
-  figures.shares_known = is_crease_known && !sum.isFoldOpen();
+  figures.shares_known = is_crease_known && !isFoldOpen(sum);
   figures.degenerate = seam_.degenerate;
   addLeftOut(figures);
   figures.points = seam_.looks;

@@ -37,9 +37,14 @@ struct Piece {
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
 
-/// Whether the faces of a piece may fold back on one another.
+/// Whether the faces of a piece fold back on one another wherever its angle is that of a fold.
 inline bool folds(const Piece& piece, bool faces_on_one_side) {
   return piece.figures.sense != 0 && faces_on_one_side == (piece.figures.sense > 0);
+}
+
+/// Whether that is not excluded.
+inline bool mayFold(const Piece& piece, bool faces_on_one_side) {
+  return piece.figures.sense == 0 || folds(piece, faces_on_one_side);
 }
 
 /// Whether a piece is too near a point without tangent plane or without curvature to be

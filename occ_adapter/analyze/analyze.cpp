@@ -1,48 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <BRep_Tool.hxx>
-#include <Precision.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/model/coordinate_rounding.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 
 namespace {
-
-/// Largest rounding of a coordinate of the model, told by its vertices; between them faces reach a
-/// few times further at most. Vertices that can't be computed with are left out, as are their seams
-/// (UnusableParts).
-double coordinateNoise(const TopoDS_Shape& shape) {
-  double size = 0;
-  for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next()) {
-    const gp_XYZ point = BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).XYZ();
-    for (int i = 1; i <= 3; ++i)
-      if (std::isfinite(point.Coord(i)) && !Precision::IsInfinite(point.Coord(i)))
-        size = std::max(size, std::abs(point.Coord(i)));
-  }
-  // A point of each of two sides comes from some operations on coordinates of this size.
-  return 16 * std::numeric_limits<double>::epsilon() * size;
-}
-
-void requireAboveNoise(const char* what, double mm, double noise_mm) {
-  if (mm >= noise_mm) return;
-  throw std::invalid_argument(fmt::format(
-      "{} is {:.6g} mm: it must be at least {:.6g} mm, the rounding of this model's coordinates",
-      what, mm, noise_mm));
-}
 
 void requireFaces(const Model& model, const std::vector<int>& faces) {
   for (const int face : faces) requireFace(face, model.faceCount());
@@ -92,10 +65,9 @@ bool Report::passed() const {
 
 Report analyze(const Model& model, const AnalyzeOptions& options, const Progress& progress) {
   options.validate();
-  const double noise_mm = coordinateNoise(model.shape);
-  requireAboveNoise("gap tolerance", options.tolerance.gap_mm, noise_mm);
+  requireAboveRounding("gap tolerance", options.tolerance.gap_mm, model.shape);
   const bool match = options.match_mm > 0;
-  if (match) requireAboveNoise("distance to match", options.match_mm, noise_mm);
+  if (match) requireAboveRounding("distance to match", options.match_mm, model.shape);
   requireFaces(model, options.faces);
   const auto start = std::chrono::steady_clock::now();
   SeamGraph graph = findSeams(model.shape);

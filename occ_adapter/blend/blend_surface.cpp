@@ -24,6 +24,7 @@
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/fill/self_contact.hpp>
 #include <seamwright/occ_adapter/model/compound.hpp>
+#include <seamwright/occ_adapter/model/coordinate_rounding.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
@@ -363,9 +364,14 @@ SplineClosure closureOf(const ChosenEnd& end) {
   return end.closed && end.path->isOneEdge() ? SplineClosure::Periodic : SplineClosure::Open;
 }
 
+void requireTolerance(const TopoDS_Shape& model, const ContinuityTolerance& tolerance) {
+  tolerance.validate();
+  requireAboveRounding("gap tolerance", tolerance.gap_mm, model);
+}
+
 ChosenEnd chosenExtension(const TopoDS_Shape& model, const BlendEnd& side,
                           const BlendSurfaceOptions& options) {
-  options.tolerance.validate();
+  requireTolerance(model, options.tolerance);
   requireEnd("side", side);
   if (side.order < 1) throw std::invalid_argument("order is 0: an extension is G1, G2 or G3");
   ChosenEnd end = chosenEnd("side", model, side, options);
@@ -389,7 +395,7 @@ BlendTask extensionOf(const ChosenEnd& end, double length_mm, const BlendSurface
 BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
                                 const BlendEnd& end, const BlendSurfaceOptions& options,
                                 const Progress& progress) {
-  options.tolerance.validate();
+  requireTolerance(model, options.tolerance);
   requireEnd("start", start);
   requireEnd("end", end);
   ChosenBlend chosen{

@@ -14,6 +14,7 @@
 #include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 #include <seamwright/occ_adapter/fill/corner_solid.hpp>
 #include <seamwright/occ_adapter/fill/corner_verdict.hpp>
+#include <seamwright/occ_adapter/model/coordinate_rounding.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
@@ -195,6 +196,7 @@ std::vector<int> cornerEdges(const Model& model, int vertex) {
 CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
                           const Progress& progress) {
   options.validate();
+  requireAboveRounding("gap tolerance", options.tolerance.gap_mm, model.shape);
   // OpenCASCADE's classifier decides which side of the shell is solid. It evaluates all faces and
   // may crash on numbers that are not finite.
   requireUsable(model.shape, model.path, "rounded");

@@ -11,6 +11,7 @@
 #include <seamwright/occ_adapter/fill/filling.hpp>
 #include <seamwright/occ_adapter/fill/hole_contradiction.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/coordinate_rounding.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 
@@ -205,9 +206,14 @@ std::optional<double> FillHoleReport::largestAngle_rad() const {
   return largest(*this, &SeamFigures::angle_rad);
 }
 
+void requireOptions(const Model& model, const FillHoleOptions& options) {
+  options.validate();
+  requireAboveRounding("gap tolerance", options.tolerance.gap_mm, model.shape);
+}
+
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
                         const Progress& progress) {
-  options.validate();
+  requireOptions(model, options);
   requireEdges(model, hole);
   FillHoleReport report;
   report.reason = whyNotMet(model.shape, hole);

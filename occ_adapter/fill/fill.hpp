@@ -150,9 +150,10 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
 
 /// Removes faces and fills the hole that they leave. Faces that leave several loops, or have an
 /// edge without a neighbour, are not replaced, with a reason. Faces with numbers that are not
-/// finite can be replaced if those of the edges around them and of their neighbours are. \param
-/// faces from 1, in the order of TopExp::MapShapes; at least one. \throws std::invalid_argument for
-/// invalid options, no face and unknown faces; Cancelled.
+/// finite can be replaced if those of the edges around them and of their neighbours are.
+/// \param faces from 1, in the order of TopExp::MapShapes; at least one, each once.
+/// \throws std::invalid_argument for invalid options, no face, unknown faces and a face that is
+/// given twice; Cancelled.
 FillHoleReport replaceFaces(const Model& model, const std::vector<int>& faces,
                             const FillHoleOptions& options = {}, const Progress& progress = {});
 /// The same for one face.

@@ -105,7 +105,9 @@ std::string holeText(const FillReason& reason) {
                                     "face between",
                                     reason.number("angle_deg"), reason.number("corners")));
     case FillFault::OnlyFace:
-      return "the face is the only one of the model";
+      if (reason.number("faces") == 1) return "the face is the only one of the model";
+      return fmt::format("the {:.0f} faces are all of the model: a fill needs others around it",
+                         reason.number("faces"));
     case FillFault::EdgeOfOneFace:
       return "the face bounds the hole on one side only: it has an edge of its own";
     case FillFault::NoLoop:

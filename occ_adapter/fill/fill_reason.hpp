@@ -18,7 +18,7 @@ enum class FillFault {
   Cusp,                 ///< a corner with an angle near 0 or near a full turn
   CornerTooWide,        ///< a corner of a hole with up to four corners, above 5.3 rad
   CornerAbove180,       ///< a corner of a hole with more than four corners, above pi
-  OnlyFace,             ///< the face to be replaced is the only one
+  OnlyFace,             ///< the faces to be replaced are all of the model
   EdgeOfOneFace,        ///< the face to be replaced has an edge without a neighbour
   NoLoop,               ///< the face to be replaced leaves no single loop of edges
   ConstructionRefused,  ///< the construction of patches refuses the sides

@@ -24,6 +24,12 @@ class NotFilled : public std::runtime_error {
   FillReason reason_;
 };
 
+/// \throws std::invalid_argument for options that are invalid, also for this model.
+void requireOptions(const Model& model, const FillHoleOptions& options);
+
+/// \throws std::invalid_argument for no faces, unknown faces, and a face that is given twice.
+void requireRemovable(const Model& model, const std::vector<int>& faces);
+
 /// The reason for a failure of OpenCASCADE, with the operation that failed.
 FillReason reasonOf(const std::string& doing, const Standard_Failure& failure);
 

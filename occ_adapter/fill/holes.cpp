@@ -267,7 +267,7 @@ class Loops {
 void HoleOptions::validate() const {
   if (!(corner_rad > 0 && corner_rad < std::numbers::pi))
     throw std::invalid_argument(
-        fmt::format("corner angle is {:.6g} degrees: it must be within 0 and 180",
+        fmt::format("corner angle is {:.6g} degrees: it must be above 0 and below 180",
                     corner_rad * degrees_per_radian));
   if (!(gap_mm > 0 && std::isfinite(gap_mm)))
     throw std::invalid_argument(fmt::format("gap is {:.6g} mm: it must be positive", gap_mm));

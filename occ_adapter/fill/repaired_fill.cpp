@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/fill/filling.hpp>
 #include <seamwright/occ_adapter/fill/repaired_fill.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
@@ -126,7 +127,7 @@ FillHoleReport filledAfterRepair(const Model& given, Repaired repaired, const Fi
 
 FillHoleReport repairedAndFilledHole(const Model& model, const Hole& hole,
                                      const FillHoleOptions& options, const Progress& progress) {
-  options.validate();
+  requireOptions(model, options);
   return filledAfterRepair(
       model, repairedAround(model, edgesOf(hole), {}, options, progress),
       [&](const Model& around, const Progress& part) {
@@ -137,8 +138,8 @@ FillHoleReport repairedAndFilledHole(const Model& model, const Hole& hole,
 
 FillHoleReport repairedAndReplacedFaces(const Model& model, const std::vector<int>& faces,
                                         const FillHoleOptions& options, const Progress& progress) {
-  options.validate();
-  for (const int face : faces) requireFace(face, model.faceCount());
+  requireOptions(model, options);
+  requireRemovable(model, faces);
   return filledAfterRepair(
       model, repairedAround(model, edgesOf(model.shape, faces), faces, options, progress),
       [&](const Model& around, const Progress& part) {

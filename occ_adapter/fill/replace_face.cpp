@@ -28,7 +28,8 @@ Model without(const Model& model, const std::vector<TopoDS_Shape>& faces) {
   Model rest = model;
   rest.shape = change->Apply(model.shape);
   if (rest.shape.IsNull() || !TopExp_Explorer(rest.shape, TopAbs_FACE).More())
-    throw NotFilled({.fault = FillFault::OnlyFace});
+    throw NotFilled(
+        {.fault = FillFault::OnlyFace, .numbers = {{"faces", static_cast<double>(faces.size())}}});
   rest.attributes.clear();
   for (const ShapeAttribute& attribute : model.attributes) {
     const TopoDS_Shape part = change->Apply(partsOf(model.shape, attribute.kind)(attribute.index));
@@ -106,18 +107,25 @@ FillReason inGivenNumbers(FillReason reason, const Numbers& edges) {
 
 }  // namespace
 
+void requireRemovable(const Model& model, const std::vector<int>& faces) {
+  if (faces.empty()) throw std::invalid_argument("no face is named: one at least is needed");
+  for (const int face : faces) {
+    requireFace(face, model.faceCount());
+    if (std::ranges::count(faces, face) > 1)
+      throw std::invalid_argument("face " + std::to_string(face) + " is given twice");
+  }
+}
+
 FillHoleReport replaceFaces(const Model& model, const std::vector<int>& faces,
                             const FillHoleOptions& options, const Progress& progress) {
-  options.validate();
-  if (faces.empty()) throw std::invalid_argument("no face is named: one at least is needed");
-  for (const int face : faces) requireFace(face, model.faceCount());
+  requireOptions(model, options);
+  requireRemovable(model, faces);
   FillHoleReport report;
   try {
     const Model whole = modelOfOwnParts(model);
     requireUsableBorder(whole.shape, faces);
     std::vector<TopoDS_Shape> old;
-    for (const int face : std::set<int>(faces.begin(), faces.end()))
-      old.push_back(partsOf(whole.shape, TopAbs_FACE)(face));
+    for (const int face : faces) old.push_back(partsOf(whole.shape, TopAbs_FACE)(face));
     const Model rest = without(whole, old);
     const Numbers given_faces(whole.shape, rest.shape, TopAbs_FACE),
         edges(whole.shape, rest.shape, TopAbs_EDGE);

@@ -20,6 +20,7 @@
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/side_join.hpp>
 #include <seamwright/occ_adapter/match/to_splines.hpp>
+#include <seamwright/occ_adapter/model/coordinate_rounding.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
@@ -486,6 +487,8 @@ std::string MatchReport::text() const {
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
                        const FaceMatchOptions& options, const Progress& progress) {
   options.validate();
+  requireAboveRounding("gap tolerance", options.tolerance.gap_mm, model);
+  if (options.match_mm > 0) requireAboveRounding("distance to match", options.match_mm, model);
   MatchTask task{facesOf(model, face_a, face_b), {face_a, face_b}, options, progress};
   MatchReport report;
   report.shape = pairOf(task.faces);

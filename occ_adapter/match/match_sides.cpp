@@ -12,6 +12,7 @@
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/side_join.hpp>
 #include <seamwright/occ_adapter/match/to_splines.hpp>
+#include <seamwright/occ_adapter/model/coordinate_rounding.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
@@ -255,6 +256,8 @@ std::string SideMatchReport::text() const {
 SideMatchReport matchSides(const TopoDS_Shape& model, int face, const std::vector<SideMatch>& sides,
                            const SideMatchOptions& options, const Progress& progress) {
   options.validate();
+  requireAboveRounding("gap tolerance", options.tolerance.gap_mm, model);
+  if (options.match_mm > 0) requireAboveRounding("distance to match", options.match_mm, model);
   requireFace(face, model.IsNull() ? 0 : partsOf(model, TopAbs_FACE).Extent());
   if (sides.empty()) throw std::invalid_argument("a match needs a side");
   for (const SideMatch& side : sides) validate(side);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/target_file.hpp>
@@ -53,13 +54,30 @@ std::vector<std::string> itemsOf(const std::string& list) {
   return items;
 }
 
-/// Also of "inf" and "nan"; nothing for any other text, for example an empty or hexadecimal one.
-std::optional<double> decimalNumber(const std::string& text) {
-  double number = 0;
+/// A number of a text.
+template <typename T>
+struct Parsed {
+  T number{};  ///< the nearest of the type
+  /// False for example for an empty or hexadecimal text; true for a real number "inf" or "nan".
+  bool is_number = false;
+  bool fits = false;  ///< in the type
+};
+
+template <typename T>
+Parsed<T> parsed(std::string_view text) {
+  Parsed<T> result;
   const char* const end = text.data() + text.size();
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const auto [rest, error] = std::from_chars(begin, end, number);
-  return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
+  const auto [rest, error] = std::from_chars(text.data(), end, result.number);
+  result.is_number = rest == end && error != std::errc::invalid_argument;
+  result.fits = error == std::errc{};
+  using Limits = std::numeric_limits<T>;
+  if (!result.fits) result.number = text.starts_with('-') ? Limits::lowest() : Limits::max();
+  return result;
+}
+
+std::string beyond(std::string_view text) {
+  return fmt::format("{} is too large: at most {} is possible", text,
+                     std::numeric_limits<int>::max());
 }
 
 /// What is wrong with the number; empty if it is in the range.
@@ -196,9 +214,12 @@ void exitStatus(CLI::App& command, const std::string& of_0, const std::string& o
 
 CLI::Validator numberIn(Range range) {
   return {[range](std::string& text) {
-            const std::optional<double> number = decimalNumber(text);
-            if (!number) return fmt::format("'{}' is not a number: give for example 0.01", text);
-            const std::string_view fault = faultOf(*number, range);
+            const auto given =
+                parsed<double>(std::string_view(text).substr(text.starts_with('+') ? 1 : 0));
+            if (!given.is_number)
+              return fmt::format("'{}' is not a number: give for example 0.01", text);
+            if (!given.fits) return text + " is beyond the range of numbers: give for example 0.01";
+            const std::string_view fault = faultOf(given.number, range);
             return fault.empty() ? std::string() : fmt::format("{} {}", text, fault);
           },
           ""};
@@ -206,12 +227,11 @@ CLI::Validator numberIn(Range range) {
 
 CLI::Validator wholeNumber() {
   return {[](std::string& text) {
-            int number = 0;
-            const auto [end, error] =
-                std::from_chars(text.data(), text.data() + text.size(), number);
-            if (error != std::errc{} || end != text.data() + text.size())
+            const auto given = parsed<int>(text);
+            if (!given.is_number)
               return fmt::format("'{}' is not a whole number: give for example 4", text);
-            return number < 0 ? fmt::format("{} must not be negative", text) : std::string();
+            if (given.number < 0) return fmt::format("{} must not be negative", text);
+            return given.fits ? std::string() : beyond(text);
           },
           ""};
 }
@@ -245,14 +265,13 @@ template CLI::Option* addList(CLI::App&, const std::string&, std::vector<double>
 CLI::Validator numberOf(const std::string& kind) {
   return {[kind](std::string& text) {
             std::string digits = text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : text;
-            int number = 0;
-            const auto [end, error] =
-                std::from_chars(digits.data(), digits.data() + digits.size(), number);
-            if (error != std::errc{} || end != digits.data() + digits.size())
+            const auto given = parsed<int>(digits);
+            if (!given.is_number)
               return fmt::format("invalid {1} number '{0}': give for example 39 or {1}39", text,
                                  kind);
-            if (number < 1)
+            if (given.number < 1)
               return fmt::format("invalid {} number '{}': numbers start at 1", kind, text);
+            if (!given.fits) return beyond(text);
             text = std::move(digits);
             return std::string();
           },

@@ -27,6 +27,15 @@ char singleKind(const py::handle& value) {
   return py::cast<std::string>(value.attr("dtype").attr("kind")).front();
 }
 
+bool isText(const py::handle& value) {
+  return PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr());
+}
+
+/// Whether the value is a sequence, a set or an iterator; text and dicts are not.
+bool hasItems(const py::handle& value) {
+  return !isText(value) && !PyDict_Check(value.ptr()) && py::isinstance<py::iterable>(value);
+}
+
 }  // namespace
 
 std::string shown(const py::object& value) {
@@ -46,6 +55,10 @@ bool isNumber(const py::handle& value) {
   if (isFlag(value)) return false;
   if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return true;
   return std::string("iuf").find(singleKind(value)) != std::string::npos;
+}
+
+bool isSequence(const py::handle& value) {
+  return hasItems(value) && py::isinstance<py::sequence>(value);
 }
 
 double parameter(const char* name, const py::object& value) {
@@ -133,9 +146,8 @@ bool flagOf(const char* name, const py::object& value) {
 }
 
 std::vector<int> wholeNumbers(const char* name, const py::object& value) {
-  const bool is_text = PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr());
   const bool one_dimension = !py::hasattr(value, "ndim") || py::cast<int>(value.attr("ndim")) == 1;
-  if (is_text || !one_dimension || !py::isinstance<py::iterable>(value))
+  if (!one_dimension || !hasItems(value))
     throw py::value_error(std::string(name) + " is " + shown(value) +
                           ": a sequence of whole numbers is needed");
   std::vector<int> numbers;
@@ -143,6 +155,11 @@ std::vector<int> wholeNumbers(const char* name, const py::object& value) {
     numbers.push_back(
         argument<int>(name, py::reinterpret_borrow<py::object>(item), "a whole number"));
   return numbers;
+}
+
+std::vector<int> wholeNumbersOrOne(const char* name, const py::object& value) {
+  if (hasItems(value)) return wholeNumbers(name, value);
+  return {argument<int>(name, value, "a whole number or a sequence of whole numbers")};
 }
 
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {

@@ -29,6 +29,9 @@ bool isFlag(const py::handle& value);
 /// Whether the value is a number of Python or numpy, or an array of numbers without dimensions.
 bool isNumber(const py::handle& value);
 
+/// Whether the value has items by index: neither text nor an array without dimensions.
+bool isSequence(const py::handle& value);
+
 /// The value of a keyword; ValueError with name and value if it has another type. Other numbers are
 /// not converted to integers. Booleans and complex numbers are not converted to real numbers or
 /// sequences of real numbers.
@@ -91,6 +94,9 @@ bool flagOf(const char* name, const py::object& value);
 
 /// The numbers of a sequence of integers.
 std::vector<int> wholeNumbers(const char* name, const py::object& value);
+
+/// A single integer, or the numbers of a sequence of integers.
+std::vector<int> wholeNumbersOrOne(const char* name, const py::object& value);
 
 /// The name of a file; TypeError for anything else.
 std::filesystem::path pathOf(const char* name, const py::object& value);

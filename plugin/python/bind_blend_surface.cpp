@@ -29,12 +29,6 @@ int orderOf(const char* name, const py::object& value) {
   throw py::value_error(std::string(name) + " " + shown(value) + ": known are G0, G1, G2 and G3");
 }
 
-/// The numbers of edges or faces: one, or a sequence.
-std::vector<int> numbersOrOne(const char* name, const py::object& value) {
-  if (py::isinstance<py::sequence>(value)) return wholeNumbers(name, value);
-  return {wholeNumber(name, value)};
-}
-
 /// The arguments of one end.
 struct EndArguments {
   const py::object& edges;
@@ -43,16 +37,16 @@ struct EndArguments {
 };
 
 occ::BlendEnd endOf(const std::string& name, const EndArguments& given) {
-  return {.side = {.edges = numbersOrOne(name.c_str(), given.edges),
-                   .faces = numbersOrOne((name + "_faces").c_str(), given.faces)},
+  return {.side = {.edges = wholeNumbersOrOne(name.c_str(), given.edges),
+                   .faces = wholeNumbersOrOne((name + "_faces").c_str(), given.faces)},
           .order = orderOf((name + "_order").c_str(), given.order)};
 }
 
 /// \param order of both lateral boundaries, or a dict of orders by an edge of each.
 occ::LateralChoice lateralOf(const py::object& edges, const py::object& faces,
                              const py::object& order) {
-  occ::LateralChoice lateral{.edges = numbersOrOne("lateral", edges),
-                             .faces = numbersOrOne("lateral_faces", faces)};
+  occ::LateralChoice lateral{.edges = wholeNumbersOrOne("lateral", edges),
+                             .faces = wholeNumbersOrOne("lateral_faces", faces)};
   if (!py::isinstance<py::dict>(order)) {
     lateral.order = orderOf("lateral_order", order);
     return lateral;
@@ -101,9 +95,9 @@ BlendedSurface extendSurface(const occ::Model& model, const py::object& edges,
                              const py::object& angle_deg, const py::object& curvature_rel,
                              const py::object& flat_radius_mm, const py::object& crease_deg,
                              const py::object& progress) {
-  const occ::BlendEnd side{
-      .side = {.edges = numbersOrOne("edges", edges), .faces = numbersOrOne("faces", faces)},
-      .order = orderOf("order", order)};
+  const occ::BlendEnd side{.side = {.edges = wholeNumbersOrOne("edges", edges),
+                                    .faces = wholeNumbersOrOne("faces", faces)},
+                           .order = orderOf("order", order)};
   if (length_mm.is_none() == to.is_none())
     throw py::value_error("length_mm or to: exactly one of them is needed");
   const double length = length_mm.is_none() ? 0 : numberOf("length_mm", length_mm);
@@ -135,9 +129,9 @@ py::object sideRibbon(const occ::Model& model, const py::object& edges, const py
                       const py::object& gap_mm, const py::object& angle_deg,
                       const py::object& curvature_rel, const py::object& flat_radius_mm,
                       const py::object& crease_deg, const py::object& progress) {
-  const occ::BlendEnd side{
-      .side = {.edges = numbersOrOne("edges", edges), .faces = numbersOrOne("faces", faces)},
-      .order = orderOf("order", order)};
+  const occ::BlendEnd side{.side = {.edges = wholeNumbersOrOne("edges", edges),
+                                    .faces = wholeNumbersOrOne("faces", faces)},
+                           .order = orderOf("order", order)};
   const double depth = numberOf("depth_mm", depth_mm);
   occ::BlendSurfaceOptions options;
   options.tolerance =

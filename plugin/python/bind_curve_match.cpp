@@ -18,7 +18,7 @@ constexpr NamedValue<MatchBy> match_kinds[] = {{"length", MatchBy::Length},
                                                {"features", MatchBy::Features}};
 
 std::vector<std::vector<double>> givenOf(const py::object& value) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
+  if (!isSequence(value))
     throw py::value_error("given is " + shown(value) +
                           ": a sequence of parameters for each curve is needed");
   std::vector<std::vector<double>> given;

@@ -87,7 +87,7 @@ py::list cornerList(const std::vector<FillCorner>& corners) {
 /// \param given  a sequence, but not as py::sequence, whose iterator releases each item before it
 /// is used.
 std::vector<FillSide> sidesOf(const py::object& given) {
-  if (!py::isinstance<py::sequence>(given) || py::isinstance<py::str>(given))
+  if (!isSequence(given))
     throw py::value_error("sides is " + shown(given) + ": a sequence is needed");
   std::vector<FillSide> sides;
   for (const py::handle side : given)

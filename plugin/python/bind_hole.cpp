@@ -81,8 +81,7 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   if (!hole.is_none() && !face.is_none())
     throw py::value_error("hole and face are both given: name one of them");
   if (!face.is_none()) {
-    const std::vector<int> numbers =
-        isNumber(face) ? std::vector{wholeNumber("face", face)} : wholeNumbers("face", face);
+    const std::vector<int> numbers = wholeNumbersOrOne("face", face);
     return longCall(progress, [&](const occ::Progress& report) {
       const auto replace = repair ? occ::repairedAndReplacedFaces : occ::replaceFaces;
       return FillReport{replace(model, numbers, options, report), options, occ::factsOf(model)};

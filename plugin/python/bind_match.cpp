@@ -175,26 +175,21 @@ int sideOrder(const py::object& target) {
   throw py::value_error("target " + shown(target) + ": known are G0, G1 and G2");
 }
 
-std::vector<int> edgesOf(const char* name, const py::object& value) {
-  if (py::isinstance<py::sequence>(value)) return wholeNumbers(name, value);
-  return {wholeNumber(name, value)};
-}
-
 /// An edge, a list of edges, or a dict of edges, neighbours, target, start and end.
 occ::SideMatch sideOf(const py::object& value, int order) {
   occ::SideMatch side;
   side.order = order;
   if (!py::isinstance<py::dict>(value)) {
-    side.side.edges = edgesOf("sides", value);
+    side.side.edges = wholeNumbersOrOne("sides", value);
     return side;
   }
   for (const auto& [key, item] : value.cast<py::dict>()) {
     const auto name = py::cast<std::string>(key);
     const auto given = py::reinterpret_borrow<py::object>(item);
     if (name == "edges")
-      side.side.edges = edgesOf("edges", given);
+      side.side.edges = wholeNumbersOrOne("edges", given);
     else if (name == "neighbours")
-      side.neighbours = edgesOf("neighbours", given);
+      side.neighbours = wholeNumbersOrOne("neighbours", given);
     else if (name == "target")
       side.order = sideOrder(given);
     else if (name == "start")
@@ -208,6 +203,16 @@ occ::SideMatch sideOf(const py::object& value, int order) {
   return side;
 }
 
+std::vector<occ::SideMatch> sidesOf(const py::object& value, int order) {
+  if (!isSequence(value))
+    throw py::value_error("sides is " + shown(value) +
+                          ": a sequence is needed, each item an edge, a list of edges or a dict");
+  std::vector<occ::SideMatch> sides;
+  for (const py::handle side : value)
+    sides.push_back(sideOf(py::reinterpret_borrow<py::object>(side), order));
+  return sides;
+}
+
 occ::HeldEdges holdOf(const py::object& hold) {
   const auto name = argument<std::string>("hold", hold, "a name");
   if (name == "none") return occ::HeldEdges::None;
@@ -216,20 +221,17 @@ occ::HeldEdges holdOf(const py::object& hold) {
   throw py::value_error("hold " + shown(hold) + ": known are none, position and tangent");
 }
 
-SideMatchResult matchSides(const occ::Model& model, const py::object& face,
-                           const py::sequence& sides, const py::object& target,
-                           const py::object& depth_mm, const py::object& hold,
-                           const py::object& average, const py::object& convert,
-                           const py::object& max_move_mm, const py::object& match_mm,
-                           const py::object& fairness, const py::object& profile,
-                           const py::object& gap_mm, const py::object& angle_deg,
-                           const py::object& curvature_rel, const py::object& flat_radius_mm,
-                           const py::object& crease_deg, const py::object& jobs,
-                           const py::object& progress) {
+SideMatchResult matchSides(const occ::Model& model, const py::object& face, const py::object& sides,
+                           const py::object& target, const py::object& depth_mm,
+                           const py::object& hold, const py::object& average,
+                           const py::object& convert, const py::object& max_move_mm,
+                           const py::object& match_mm, const py::object& fairness,
+                           const py::object& profile, const py::object& gap_mm,
+                           const py::object& angle_deg, const py::object& curvature_rel,
+                           const py::object& flat_radius_mm, const py::object& crease_deg,
+                           const py::object& jobs, const py::object& progress) {
   const int number = argument<int>("face", face, "the number of a face");
-  std::vector<occ::SideMatch> all;
-  for (const py::handle side : sides)
-    all.push_back(sideOf(py::reinterpret_borrow<py::object>(side), sideOrder(target)));
+  std::vector<occ::SideMatch> all = sidesOf(sides, sideOrder(target));
   for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i)
     all[i].side.name = "side " + std::to_string(i + 1);
   occ::SideMatchOptions options;

@@ -58,8 +58,7 @@ py::list conicsOfArcs(const py::object& arcs) {
 
 bool areArcs(const py::object& value) {
   if (py::isinstance<ArcChain>(value)) return true;
-  return py::isinstance<py::sequence>(value) && py::len(value) > 0 &&
-         py::isinstance<PlanarArc>(value[py::int_(0)]);
+  return isSequence(value) && py::len(value) > 0 && py::isinstance<PlanarArc>(value[py::int_(0)]);
 }
 
 /// Conics of a sequence; arcs of a sequence or a chain, or of a result with one, as conics.

@@ -69,7 +69,7 @@ py::list jointsOf(const BezierSpline& spline, const py::object& order, const py:
 
 /// Curves of one segment each.
 std::vector<BezierCurve> segmentsOf(const py::object& value) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
+  if (!isSequence(value))
     throw py::value_error("segments is " + shown(value) + ": a sequence of curves is needed");
   std::vector<BezierCurve> segments;
   for (const py::handle item : value)

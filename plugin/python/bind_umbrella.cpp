@@ -21,7 +21,7 @@ namespace {
 /// Checks that the value is a sequence and returns the value itself for iteration. The iterator of
 /// py::sequence releases each item before it is used, and nothing else holds the items of an array.
 const py::object& sequenceOf(const char* name, const py::object& value) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
+  if (!isSequence(value))
     throw py::value_error(std::string(name) + " is " + shown(value) + ": a sequence is needed");
   return value;
 }

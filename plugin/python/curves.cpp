@@ -32,7 +32,7 @@ BezierSpline bezierSplineOf(const std::string& name, const py::object& value) {
 }
 
 std::vector<BezierSpline> bezierSplinesOf(const std::string& name, const py::object& value) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
+  if (!isSequence(value))
     throw py::value_error(name + " is " + shown(value) + ": a sequence of curves is needed");
   std::vector<BezierSpline> splines;
   for (const py::handle item : value)

@@ -132,7 +132,7 @@ std::vector<PlanarArc> arcsOf(const char* name, const py::object& value);
 /// \param kind "a Clothoid"
 template <class Piece>
 std::vector<Piece> piecesOf(const std::string& name, const py::object& value, const char* kind) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
+  if (!isSequence(value))
     throw py::type_error(name + " is " + shown(value) + ": a sequence is needed, each item " +
                          kind);
   std::vector<Piece> pieces;

@@ -306,6 +306,64 @@ TEST(EncloseSeam, AVerdictAloneIsThatOfAllFigures) {
   EXPECT_GT(below_g2, 20);
 }
 
+/// Tolerances up to a hundredth above the largest values.
+ContinuityTolerance justAbove(const SeamFigures& figures, std::mt19937_64& random) {
+  const auto above = [&](const std::optional<Figure>& figure, double otherwise) {
+    return figure && figure->lower > 0 ? figure->lower * (1 + logUniform(random, -4, -2))
+                                       : otherwise;
+  };
+  ContinuityTolerance tolerance;
+  tolerance.gap_mm = above(figures.gap_mm, tolerance.gap_mm);
+  tolerance.angle_rad = std::min(above(figures.angle_rad, tolerance.angle_rad), 0.5);
+  tolerance.curvature_rel = above(figures.curvature_rel, tolerance.curvature_rel);
+  tolerance.crease_rad = std::max(tolerance.crease_rad, tolerance.angle_rad);
+  return tolerance;
+}
+
+// Pieces are cut until the verdict is certain, not until the figures are known to 1 %.
+TEST(EncloseSeam, AVerdictAloneIsCertainAlsoNearATolerance) {
+  std::mt19937_64 random(testSeed());
+  int certain = 0, more = 0;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = randomSeam(random);
+    const auto figures = [&](const ContinuityTolerance& tolerance, bool all) {
+      return encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.figures = all});
+    };
+    const ContinuityTolerance tolerance = justAbove(figures({}, true), random);
+    const Verdict wanted = judge(figures(tolerance, true), tolerance, Level::G2);
+    const Verdict found = judge(figures(tolerance, false), tolerance, Level::G2);
+    more += found.certain && !wanted.certain;
+    if (!wanted.certain) continue;
+    ++certain;
+    EXPECT_TRUE(found.certain);
+    EXPECT_EQ(found.level, wanted.level);
+    EXPECT_EQ(found.seam_class, wanted.seam_class);
+  }
+  EXPECT_GT(certain, 20);
+  EXPECT_GT(more, 20);
+}
+
+// Near a pole whose poles are scattered no fold can be excluded.
+TEST(EncloseSeam, AFoldThatWouldChangeNothingLeavesTheVerdictCertain) {
+  std::mt19937_64 random(testSeed());
+  int sharp = 0;
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = scatteredSeam(random);
+    const ContinuityTolerance tolerance = randomTolerance(random);
+    for (const bool all : {true, false}) {
+      const SeamFigures figures =
+          encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.figures = all});
+      const bool is_sharp = figures.angle_rad && figures.angle_rad->lower > tolerance.crease_rad;
+      const bool says_so = figures.uncertified.find("fold") != std::string::npos;
+      sharp += is_sharp;
+      EXPECT_FALSE(is_sharp && says_so);
+    }
+  }
+  EXPECT_GT(sharp, 20);
+}
+
 // --- exact joins
 
 /// Bernstein coefficients of a polynomial with values in space or of numbers.

@@ -248,7 +248,6 @@ MAY_SKIP = {
     "tests/occ_adapter/errors_test.cpp",
     "tests/occ_adapter/prove_test.cpp",
     "tests/plugin/cli/test_repair.py",
-    "tests/plugin/python/test_models.py",
     "tests/plugin/python/test_repair.py",
 }
 

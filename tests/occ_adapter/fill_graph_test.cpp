@@ -183,7 +183,7 @@ TEST(ReplaceFaces, OfOneFaceIsReplaceFace) {
   const TopoDS_Shape shape = sphereGrid();
   const std::vector<int> around = facesAt(shape, gp_Pnt(ball_mm, 0, 0));
   const FillHoleReport one = occ::replaceFace(modelFromShape(shape), around[0]),
-                       other = occ::replaceFaces(modelFromShape(shape), {around[0], around[0]});
+                       other = occ::replaceFaces(modelFromShape(shape), {around[0]});
   EXPECT_TRUE(one.reached);
   EXPECT_EQ(one.largestAngle_rad(), other.largestAngle_rad());
 }
@@ -197,6 +197,7 @@ TEST(ReplaceFaces, RefusesFacesThatLeaveTwoHolesOrTouchTheBoundary) {
             "edge_of_one_face");
   EXPECT_THROW(occ::replaceFaces(modelFromShape(shape), {}), std::invalid_argument);
   EXPECT_THROW(occ::replaceFaces(modelFromShape(shape), {99}), std::invalid_argument);
+  EXPECT_THROW(occ::replaceFaces(modelFromShape(shape), {1, 1}), std::invalid_argument);
 }
 
 // Half of the sheet is turned by one degree: at both joints the fill has one tangent plane.

@@ -60,6 +60,19 @@ void requireExtent(const Poles& poles, const SeamRows& rows, const std::string& 
   throw std::invalid_argument("surface " + name + " has no extent across the seam");
 }
 
+/// Squares of lengths beyond these are no numbers of double precision.
+constexpr double least_size_mm = 1e-100, most_size_mm = 1e100;
+
+/// \param extent_mm the largest difference of a coordinate from that of the centre
+void requireRange(double extent_mm, double largest_mm) {
+  if (extent_mm == 0) throw std::invalid_argument("all poles along the seam are one point");
+  if (extent_mm >= least_size_mm && largest_mm <= most_size_mm) return;
+  throw std::invalid_argument(
+      fmt::format("the poles along the seam have coordinates up to {:.3g} mm and a size of {:.3g} "
+                  "mm: 1e-100 to 1e100 mm are possible",
+                  largest_mm, extent_mm));
+}
+
 void measureRows(Unknowns& u, const JoinSide& a, const JoinSide& b) {
   const Poles in_a = affinePoles(a.surface.poles), in_b = affinePoles(b.surface.poles);
   requireExtent(in_a, u.a, "a");
@@ -67,20 +80,22 @@ void measureRows(Unknowns& u, const JoinSide& a, const JoinSide& b) {
   for (int j = 0; j < u.count(); ++j)
     u.centre +=
         (in_a.row(u.a.pole(0, j)) + in_b.row(u.b.pole(0, j))).transpose() / (2.0 * u.count());
-  double sum = 0;
+  double sum = 0, extent = 0;
   int number = 0;
   const auto add = [&](const Poles& poles, const SeamRows& rows) {
     for (int row = 0; row <= rows.depth; ++row)
       for (int j = 0; j < rows.count; ++j, ++number) {
         const Eigen::RowVector3d x = poles.row(rows.pole(row, j));
-        sum += (x - u.centre.transpose()).squaredNorm();
+        const Eigen::RowVector3d from_centre = x - u.centre.transpose();
+        sum += from_centre.squaredNorm();
+        extent = std::max(extent, from_centre.cwiseAbs().maxCoeff());
         u.largest = std::max(u.largest, x.cwiseAbs().maxCoeff());
       }
   };
   add(in_a, u.a);
   add(in_b, u.b);
+  requireRange(extent, u.largest);
   u.size = std::sqrt(sum / number);
-  if (!(u.size > 0)) throw std::invalid_argument("all poles along the seam are one point");
 }
 
 /// The factor between the weights of the two seam rows, in the mean square.

@@ -129,6 +129,7 @@ def test_where_patches_have_no_room_opencascade_fills_and_is_named(box):
         ),
         (["--vertex", "1", "--radius", "20"], "before it begins on one side"),
         (["--vertex", "1", "--radius", "wide"], "wide"),
+        (["--vertex", "1", "--radius", "0.2", "--gap", "1e-15"], "gap tolerance is 1e-15 mm"),
     ],
 )
 def test_bad_usage(box, tmp_path, options, message):

@@ -61,6 +61,16 @@ def bad_inputs(folder):
         for text in ("", "0x1p3", "1mm"):
             cases[f"'{text}' for {option}"] = ([good, f"--{option}", text], f"--{option}: '{text}'")
     cases["zero flat-radius"] = ([good, "--flat-radius", "0"], "--flat-radius: 0 ")
+    most = "3000000000 is too large: at most 2147483647 is possible"
+    cases["more jobs than there are numbers"] = ([good, "--jobs", "3000000000"], f"--jobs: {most}")
+    cases["fewer jobs than there are numbers"] = (
+        [good, "--jobs", "-3000000000"],
+        "--jobs: -3000000000 must not be negative",
+    )
+    cases["a number beyond the range"] = (
+        [good, "--gap", "1e400"],
+        "--gap: 1e400 is beyond the range of numbers",
+    )
     cases["no number of jobs"] = ([good, "--jobs", ""], "--jobs: '' is not a whole number")
     return cases
 

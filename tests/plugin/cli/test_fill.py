@@ -61,7 +61,7 @@ def test_several_faces_leave_one_hole(box, tmp_path):
     assert report["removed_curvature_per_mm"] < 1e-9 and report["curvature_per_mm"] is None
     shell = tmp_path / "shell.brep"
     shell.write_bytes(installed(OCCT_DATA / "occ/shell1.brep").read_bytes())
-    assert fill(shell, "--face", "64,Face64")[1]["reached"]
+    assert fill(shell, "--face", "Face64")[1]["reached"]
 
 
 def test_every_key_of_the_report_matters(box):
@@ -135,6 +135,12 @@ def test_the_table_has_the_figures_of_every_seam(tmp_path):
         assert missed == report["output"]["defects"] and all(
             line.startswith("missed ") for line in rows[:missed]
         )
+
+
+def test_all_faces_leave_no_hole(box):
+    result, report, _ = fill(box, "--face", "1,2,3,4,5,6")
+    assert report["reason_code"] == "only_face" and not report["filled"]
+    assert "the 6 faces are all of the model: a fill needs others around it" in result.stdout
 
 
 def test_faces_in_a_reason_are_those_of_the_given_model(box):
@@ -251,6 +257,13 @@ def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
         (["--face", "1", "--gap", "nan"], "--gap: nan"),
         (["--face", "1", "--corner", ""], "--corner: '' is not a number"),
         (["--face", "1", "--curvature", "-0.5"], "-0.5"),
+        (["--face", "1,Face1"], "face 1 is given twice"),
+        (["--face", "1,1", "--repair-first"], "face 1 is given twice"),
+        (["--face", "3000000000"], "--face: 3000000000 is too large: at most 2147483647"),
+        (["--face", "-3000000000"], "numbers start at 1"),
+        (["--face", "1", "--corner", "180"], "180 degrees: it must be above 0 and below 180"),
+        (["--face", "1", "--gap", "1e-15"], "the rounding of this model's coordinates"),
+        (["--face", "1", "--gap", "1e-15", "--repair-first"], "the rounding of this model's"),
     ],
 )
 def test_bad_usage(box, tmp_path, options, message):

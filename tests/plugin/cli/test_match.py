@@ -88,3 +88,11 @@ def test_sides_that_are_none(sheet, side, said):
 def test_faces_that_are_none(sheet):
     out = sheet.parent / "out.step"
     expect_one_line(run("match", sheet, "-o", out, "--face", "3", "--side", "2"), "face 3")
+
+
+@pytest.mark.parametrize("option, name", [("--gap", "gap tolerance"), ("--match", "distance to")])
+def test_lengths_below_the_rounding_of_coordinates(sheet, option, name):
+    out = sheet.parent / "out.step"
+    result = run("match", sheet, "-o", out, "--face", "1", "--side", "2", option, "1e-15")
+    expect_one_line(result, name)
+    assert "the rounding of this model's coordinates" in result.stderr

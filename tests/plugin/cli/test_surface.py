@@ -192,6 +192,9 @@ def test_what_falls_short_is_not_written(gap):
         ("extend", ["--edge", RIGHT, "--to", "9"], "face 9"),
         ("extend", ["--edge", RIGHT, "--length", "-1"], "--length: -1 must be larger than zero"),
         ("extend", ["--edge", RIGHT, "--length", "5", "--order", "G0"], "--order"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--gap", "1e-15"], "gap tolerance is 1e-15 mm"),
+        ("extend", ["--edge", RIGHT, "--to", "2", "--gap", "1e-15"], "gap tolerance is 1e-15 mm"),
+        ("extend", ["--edge", RIGHT, "--length", "5", "--gap", "1e-15"], "the rounding of this"),
     ],
 )
 def test_bad_arguments_are_refused_in_one_line(gap, command, options, message):

@@ -202,6 +202,19 @@ SURFACES = [
 ]
 
 
+# Functions of a sequence of other things than numbers.
+SEQUENCES = [
+    ("sides", seamwright.n_sided_fill),
+    ("kinds", lambda x: seamwright.umbrella(SPOKES, kinds=x)),
+    ("spokes", seamwright.umbrella),
+    ("given", lambda x: seamwright.match_pieces([SPLINE, SPLINE], given=x)),
+    ("keys", seamwright.match_pieces),
+    ("segments", lambda x: seamwright.BezierSpline.from_segments(x, [0, 1])),
+    ("arcs", seamwright.conics_of_arcs),
+    ("chain", seamwright.g2_conics),
+]
+
+
 def cases(table, values, are_good=lambda name, value: False):
     """Each call with each value but those that it takes."""
     for number, (name, call) in enumerate(table):
@@ -258,6 +271,15 @@ def test_arrays(name, call, value):
 )
 def test_sequences(name, call, value):
     named(name, call, value)
+
+
+@pytest.mark.parametrize(
+    "name, call, value", cases(SEQUENCES, [3, "x", b"x", np.array(3), np.array(3.0), object()])
+)
+def test_sequences_of_other_things(name, call, value):
+    named(name, call, value, (TypeError, ValueError))
+    with pytest.raises((TypeError, ValueError), match="a sequence"):
+        call(value)
 
 
 @pytest.mark.parametrize("name, call, value", cases(NAMES, ["w", 3, None]))

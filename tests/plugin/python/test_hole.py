@@ -150,7 +150,7 @@ def test_holes_are_listed(shell):
         ({"face": 64, "angle_deg": 0}, "angle tolerance is 0 deg"),
         (
             {"face": 64, "corner_deg": 200},
-            "corner angle is 200 degrees: it must be within 0 and 180",
+            "corner angle is 200 degrees: it must be above 0 and below 180",
         ),
     ],
 )
@@ -161,18 +161,23 @@ def test_bad_arguments(shell, arguments, message):
 
 def test_a_bad_corner_angle_of_holes_is_told_in_degrees(shell):
     with pytest.raises(
-        ValueError, match="corner angle is 500 degrees: it must be within 0 and 180"
+        ValueError, match="corner angle is 500 degrees: it must be above 0 and below 180"
     ):
         shell.holes(corner_deg=500)
 
 
-def ring_with_a_kink(kink_mm):
-    """Eight patches of one surface around a hole, but for a kink in a seam that ends there."""
+def ring_with_a_kink(kink_mm, patch=(0, 1), pole=(3, 1), flat=False):
+    """Eight patches of one surface around a hole, but for a kink in a seam that ends there.
+
+    The pole that is moved is one on the edge of the hole, beside its corner.
+    """
     patches = []
     for i, j in ((i, j) for i in range(3) for j in range(3) if (i, j) != (1, 1)):
         poles = np.array([[pole_of_a_quadric(i, j, p, q) for q in range(4)] for p in range(4)])
-        if (i, j) == (0, 1):
-            poles[3, 1, 2] += kink_mm  # on the edge of the hole, beside its corner
+        if flat:
+            poles[..., 2] = 0
+        if (i, j) == patch:
+            poles[pole][2] += kink_mm
         patches.append(seamwright.BezierPatch(poles))
     return seamwright.Model.from_patches(patches, sew_mm=1e-5)
 
@@ -198,6 +203,20 @@ def test_seams_that_end_at_a_hole_are_repaired_first():
     assert len(fill.around["edges"]) == 8  # two at each corner
     assert fill.around["left"] == [] and fill.around["used"]
     assert "repaired first" in fill.to_table()
+
+
+def test_a_repair_that_spoils_the_fill_is_left_out():
+    # The hole lies in a plane. The kink vanishes towards it, so a plane fills it G2. The repair
+    # makes the seam G2 by moves of poles beside the hole, which then lies in no plane.
+    model = ring_with_a_kink(0.1, patch=(0, 0), pole=(2, 1), flat=True)
+    hole = next(h for h in model.holes() if not h.longest)
+    plain = model.fill(hole=hole, target="G2")
+    fill = model.fill(hole=hole, target="G2", repair_first=True)
+    assert plain.reached and fill.reached and fill.filled
+    assert fill.around["repaired"] > 0 and not fill.around["used"]
+    assert "without them one does: left out" in fill.to_table()
+    for face in set(range(1, fill.model.face_count + 1)) - set(fill.to_dict()["faces"]):
+        assert np.array_equal(fill.model.surface(face).poles, plain.model.surface(face).poles)
 
 
 def test_without_a_kink_nothing_is_repaired_first():

@@ -76,3 +76,14 @@ def test_what_is_refused_leaves_the_model(chain):
     result = chain.match_sides(1, [edge], target="G2", max_move_mm=1e-6)
     assert not result.matched and result.reason and result.reason_code
     assert result.model.surface(1) == chain.surface(1)
+
+
+def test_a_number_without_dimensions_is_no_list_of_sides(chain):
+    for sides in (3, np.array(3.0), np.array(3), "3", None, {}):
+        with pytest.raises(ValueError, match="sides is .*: a sequence is needed"):
+            chain.match_sides(1, sides)
+    with pytest.raises(ValueError, match="a whole number or a sequence of whole numbers"):
+        chain.match_sides(1, [np.array(3.0)])
+    edge = side_of(chain, 1, match_mm=0.1)[0]
+    given = chain.match_sides(1, [np.array(edge)], depth_mm=30)
+    assert given.to_dict() == chain.match_sides(1, [edge], depth_mm=30).to_dict()

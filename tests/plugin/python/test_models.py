@@ -309,16 +309,12 @@ def test_names_and_colours():
         assert attribute["color"] is None or all(0 <= part <= 1 for part in attribute["color"])
 
 
-def test_without_freecad_the_bridge_says_so(box):
-    if "FreeCAD" in sys.modules:
-        pytest.skip("this is FreeCAD")
-    try:
-        import Part  # noqa: F401
-    except ImportError:
-        with pytest.raises(RuntimeError, match="FreeCAD"):
-            seamwright.Model.from_freecad(object())
-        with pytest.raises(RuntimeError, match="FreeCAD"):
-            seamwright.read(box).to_freecad()
+def test_without_freecad_the_bridge_says_so(box, monkeypatch):
+    monkeypatch.setitem(sys.modules, "Part", None)
+    with pytest.raises(RuntimeError, match="run inside FreeCAD"):
+        seamwright.Model.from_freecad(object())
+    with pytest.raises(RuntimeError, match="run inside FreeCAD"):
+        seamwright.read(box).to_freecad()
 
 
 def test_models_do_not_pile_up(box):

@@ -257,6 +257,23 @@ def test_bad_arguments(change, text):
         seamwright.nearest_join(**arguments)
 
 
+@pytest.mark.parametrize("scale", [1e-300, 1e-200, 1e-105, 1e105, 1e200])
+def test_sizes_whose_squares_are_no_numbers(scale):
+    a, b = (BezierPatch(scale * patch.poles) for patch in pair())
+    with pytest.raises(ValueError, match="1e-100 to 1e100 mm are possible"):
+        seamwright.nearest_join(a, "u0", b, "u0")
+
+
+@pytest.mark.parametrize("scale", [1e-95, 1e95])
+def test_joins_of_other_sizes_are_alike(scale):
+    given = pair()
+    usual = seamwright.nearest_join(given[0], "u0", given[1], "u0")
+    a, b = (BezierPatch(scale * patch.poles) for patch in given)
+    found = seamwright.nearest_join(a, "u0", b, "u0")
+    assert found["status"] == usual["status"] == "joined"
+    assert found["largest_move_mm"] == pytest.approx(scale * usual["largest_move_mm"], rel=1e-9)
+
+
 def test_bad_surfaces():
     poles = net(1, 3, 4, 1)
     knots = [0] * 4 + [1] * 4
