@@ -146,8 +146,19 @@ def start(doc, command, source, names, preview=False):
 
 OPENERS = (open_analysis, open_repair, open_fill, open_corner, open_match)
 
-#: Those whose computations last long enough for FreeCAD to begin to quit.
-SLOW = (open_repair, open_fill, open_corner)
+
+def open_large_repair(doc):
+    source = add(doc, "Panel", models.broken_panel, 8, 6)
+    return start(doc, "Seamwright_RepairSeams", source, ("",), preview=True)
+
+
+def open_large_fill(doc):
+    source = add(doc, "Open", models.open_block, 8)
+    return start(doc, "Seamwright_UmbrellaFill", source, ("",))
+
+
+#: Those that compute for seconds, so that FreeCAD begins to quit meanwhile.
+SLOW = (open_large_repair, open_large_fill)
 
 
 def open_panel(doc):
@@ -367,7 +378,7 @@ def quit_while_computing(seed, seen):
     """Open a panel and quit while it computes; note in the file ``seen`` whether it does."""
     Gui.activateWorkbench("SeamwrightWorkbench")
     doc = App.newDocument("Quit")
-    SLOW[seed % len(SLOW)](doc)
+    SLOW[seed // 2 % len(SLOW)](doc)
 
     def end():
         with open(seen, "w", encoding="utf-8") as file:
