@@ -58,7 +58,8 @@ enum class MatchFault {
   FoldsOver,    ///< a moved face would fold
   StillMisses,  ///< the proven figures miss the level
   EdgesStray,   ///< edges would be off their faces
-  ChecksFail,   ///< OpenCASCADE's checks
+  NeighboursApart,  ///< faces that move and join one another would be moved apart
+  ChecksFail,       ///< OpenCASCADE's checks
   OpenCascadeFailed,
   Failed  ///< a surface or an edge can't be evaluated
 };

@@ -56,6 +56,7 @@ constexpr std::array match_codes = {"",
                                     "folds_over",
                                     "still_misses",
                                     "edges_stray",
+                                    "neighbours_apart",
                                     "checks_fail",
                                     "opencascade_failed",
                                     "failed"};
@@ -99,6 +100,7 @@ std::string remedyOf(MatchFault fault) {
       return "none: no small move makes the faces smooth";
     case JoinRefused:
     case NoExactJoin:
+    case NeighboursApart:
       return "let one face move instead of both";
     case MissesTolerance:
     case StillMisses:
@@ -453,6 +455,17 @@ MatchReason edgesStray(const MatchReason& how, double stray_mm) {
                                          how.text, stray_mm),
                      .numbers = how.numbers};
   reason.numbers.emplace_back("stray_mm", stray_mm);
+  return reason;
+}
+
+MatchReason neighboursApart(const MatchReason& how, const std::vector<int>& edges, double gap_mm) {
+  MatchReason reason{.fault = MatchFault::NeighboursApart,
+                     .text = fmt::format("{}, but then faces that join one another at edge {} are "
+                                         "{:.6g} mm apart",
+                                         how.text, fmt::join(edges, " and edge "), gap_mm),
+                     .numbers = how.numbers,
+                     .edges = edges};
+  reason.numbers.emplace_back("gap_mm", gap_mm);
   return reason;
 }
 

@@ -128,6 +128,8 @@ MatchReason foldsOver(const MatchReason& how, int face);
 MatchReason stillMisses(const MatchReason& how, const std::string& figures);
 /// Edges of the moved faces leave them by more than tolerances allow.
 MatchReason edgesStray(const MatchReason& how, double stray_mm);
+/// Free edges side by side, of two faces that both move, have that gap afterwards.
+MatchReason neighboursApart(const MatchReason& how, const std::vector<int>& edges, double gap_mm);
 /// BRepCheck finds the new faces invalid.
 MatchReason checksFail(const MatchReason& how);
 /// The type and message of the failure are in the text.

@@ -24,6 +24,7 @@
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/surface_difference.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 
@@ -181,7 +182,9 @@ class SideJoiner {
         result_.failure = {};
         return result_;
       }
-      if (i == 0 || failure.fault == MatchFault::LessFair) result_.failure = failure;
+      const bool tells_most =
+          failure.fault == MatchFault::LessFair || failure.fault == MatchFault::NeighboursApart;
+      if (i == 0 || tells_most) result_.failure = failure;
       if (!mayBeDeeper(failure.fault)) break;
     }
     return result_;
@@ -283,6 +286,7 @@ class SideJoiner {
         return match_why::stillMisses(how, figuresText(after.back()));
     }
     if (MatchReason fault = whyDamaged(changes, changed, how); !fault.empty()) return fault;
+    if (MatchReason fault = whyApart(changes, changed, how); !fault.empty()) return fault;
     result_.remarks = {how};
     if (join_.names.empty()) addWorse(changes, changed);
     result_.after = std::move(after);
@@ -308,6 +312,36 @@ class SideJoiner {
     return before.whole && !now.whole ? match_why::checksFail(how) : MatchReason{};
   }
 
+  /// Where two faces move, they must not leave one another at free edges that lay side by side.
+  MatchReason whyApart(const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+                       const MatchReason& how) const {
+    if (changes.size() < 2) return {};
+    const auto moved = [&](int face) {
+      return std::ranges::count(changes, face, &FaceChange::face) > 0;
+    };
+    const double gap_mm = join_.options.tolerance.gap_mm;
+    SeamGraph graph = graph_;
+    matchFreeEdges({.match_mm = join_.options.match_mm, .gap_mm = gap_mm}, graph, {});
+    for (const Seam& seam : graph.seams) {
+      if (seam.kind != SeamKind::Matched || !moved(seam.sides[0].face) ||
+          !moved(seam.sides[1].face) || isPiece(seam))
+        continue;
+      const AnalyzeOptions options = analyzeOptionsOf(join_.options, 0);
+      const std::optional<Figure> before = measureSeam(seam, options).figures.gap_mm,
+                                  after =
+                                      measureSeam(seamIn(changed, seam), options).figures.gap_mm;
+      if (before && after && after->lower > std::max(gap_mm, before->upper.value_or(0)))
+        return match_why::neighboursApart(how, seam.edges, after->lower);
+    }
+    return {};
+  }
+
+  bool isPiece(const Seam& seam) const {
+    return std::ranges::any_of(join_.pieces, [&](const SidePiece& piece) {
+      return std::ranges::count(piece.seam.edges, seam.edges[0]) > 0;
+    });
+  }
+
   /// Names the other seams of the moved faces that lost a level.
   void addWorse(const std::vector<FaceChange>& changes, const TopoDS_Shape& changed) {
     const SeamGraph now = findSeams(changed);
@@ -316,10 +350,7 @@ class SideJoiner {
       const bool is_beside = std::ranges::any_of(changes, [&](const FaceChange& change) {
         return seam.sides[0].face == change.face || seam.sides[1].face == change.face;
       });
-      const bool is_piece = std::ranges::any_of(join_.pieces, [&](const SidePiece& piece) {
-        return std::ranges::count(piece.seam.edges, seam.edges[0]) > 0;
-      });
-      if (!is_beside || is_piece) continue;
+      if (!is_beside || isPiece(seam)) continue;
       const auto found = std::ranges::find(now.seams, seam.edges, &Seam::edges);
       if (found == now.seams.end()) continue;
       const AnalyzeOptions options = analyzeOptionsOf(join_.options, 2);

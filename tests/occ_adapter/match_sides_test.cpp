@@ -406,6 +406,28 @@ TEST(MatchSides, AveragedSidesMeetInTheMiddle) {
   }
 }
 
+/// Each neighbour takes its own way to the mean, so that the edges between them part.
+TEST(MatchSides, AveragedNeighboursThatJoinOneAnotherAreNotMovedApart) {
+  const auto leftBetween = [](double low, double high) {
+    return wholeFace(mapped([=](double s, double t) {
+      return gp_Pnt(-60 + 60 * s, low + (high - low) * t, 0.02 * 60 * (s - 1));
+    }));
+  };
+  const Spline right = mapped([](double s, double t) {
+    return gp_Pnt(60 * s, 40 * t, -24 * t * s * (1 + s) + 0.08 * t * t);
+  });
+  const TopoDS_Shape model = compoundOf({leftBetween(0, 6), leftBetween(6, 40), wholeFace(right)});
+  const std::vector<SideMatch> side = {{.side = {{edgeNear(model, 3, {0, 20, 0})}}, .order = 2}};
+  SideMatchOptions options;
+  expectMatchedSides(matchSides(model, 3, side, options), model);
+  options.average = true;
+  const SideMatchReport report = matchSides(model, 3, side, options);
+  EXPECT_FALSE(report.matched);
+  EXPECT_EQ(report.code(), "neighbours_apart") << report.text();
+  EXPECT_EQ(report.remedy(), "let one face move instead of both");
+  EXPECT_TRUE(report.shape.IsSame(model));
+}
+
 /// The side runs along a curve inside of the parameter rectangle.
 TEST(MatchSides, ATrimmedSideInClosedForm) {
   // Poles of a bowl in Bernstein form: those of s^2 are 0, 0, 1/3, 1.
