@@ -98,7 +98,7 @@ void requireSmooth(const SidePath& path, bool closed) {
   if (closed) require(1, 0, "beside");
   for (const double inside : path.breaks()) {
     // So near an end a break is rounding of the end, and no chord fits between them.
-    if (!closed && (inside < 2 * beside || inside > 1 - 2 * beside)) continue;
+    if (inside < 2 * beside || inside > 1 - 2 * beside) continue;
     require(inside, inside, "inside of");
     if (!path.hasTangentPlane(inside))
       throw std::invalid_argument(

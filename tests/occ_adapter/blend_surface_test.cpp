@@ -8,14 +8,19 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
@@ -136,6 +141,37 @@ TEST(BlendSurface, RingsAreClosedSmoothly) {
   const SurfaceJet begin = jet(blend.surface, 0, 0.5), end = jet(blend.surface, 1, 0.5);
   EXPECT_LT((begin.u - end.u).norm(), 1e-7 * begin.u.norm());
   EXPECT_LT((begin.uu - end.uu).norm(), 1e-5 * begin.uu.norm());
+}
+
+/// A part of a cylinder about the z axis as a spline that goes on beyond it, with a knot line at
+/// its begin but for rounding.
+TopoDS_Face splinePart(double radius, double from, double to) {
+  const opencascade::handle<Geom_Surface> wider = new Geom_RectangularTrimmedSurface(
+      new Geom_CylindricalSurface(gp::XOY(), radius), from - 0.1, to + 0.1, 0.0, 20.0);
+  const opencascade::handle<Geom_BSplineSurface> spline =
+      GeomConvert::SurfaceToBSplineSurface(wider);
+  const auto parameterOf = [&](double angle) {
+    const gp_Pnt at(radius * std::cos(angle), radius * std::sin(angle), 0);
+    return GeomAPI_ProjectPointOnCurve(at, spline->VIso(0)).LowerDistanceParameter();
+  };
+  const double begin = parameterOf(from);
+  spline->InsertUKnot(begin, 1, 0);
+  return BRepBuilderAPI_MakeFace(spline, begin - 4e-16, parameterOf(to), 0, 20, 1e-7);
+}
+
+TEST(BlendSurface, AKnotLineAtTheBeginOfARingIsNoCorner) {
+  const double pi = std::numbers::pi;
+  BRepBuilderAPI_Sewing halves;
+  halves.Add(splinePart(20, 0.2, pi));
+  halves.Add(splinePart(20, pi, 2 * pi + 0.2));
+  halves.Perform();
+  const TopoDS_Shape model = loose(halves.SewedShape(), tube(12, 40, 60));
+  const BlendSurfaceReport blend =
+      blendSurface(model,
+                   {.side = {{edgeNear(model, gp_Pnt(20 * std::cos(1), 20 * std::sin(1), 20)),
+                              edgeNear(model, gp_Pnt(0, -20, 20))}}},
+                   {.side = {{edgeNear(model, gp_Pnt(-12, 0, 40))}}}, fine());
+  EXPECT_TRUE(blend.reached);
 }
 
 TEST(BlendSurface, ChainsOfEdgesAreOneSide) {

@@ -195,6 +195,30 @@ class Look(LookCase):
             settle()
             self.assertEqual(look.Proxy.panel.seam_table.model.rowCount(), 16)
 
+    def test_a_hidden_analysis_keeps_its_table_when_it_is_opened_again(self):
+        obj, panel = self.analyse()
+        count = panel.seam_table.model.rowCount()
+        self.assertFalse(panel.hidden.isVisible())
+        obj.ViewObject.Visibility = False
+        settle()
+        self.assertTrue(panel.hidden.isVisible())
+        panel.reject()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "hidden.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            self.doc = App.openDocument(path)
+            settle()
+            (obj,) = analyses(self.doc)
+            obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+            settle()
+            panel = obj.ViewObject.Proxy.panel
+            self.assertEqual(panel.seam_table.model.rowCount(), count)
+            self.assertEqual(len(panel.results.seams), count)
+            self.assertFalse(obj.ViewObject.Visibility)
+            panel.reject()
+            settle()
+
 
 def _drawn_into(shown):
     draw = marker.draw_label

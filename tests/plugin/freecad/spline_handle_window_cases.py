@@ -243,6 +243,7 @@ class Drags(SplineWindow):
         panel.table.item(2, 3).setText("x")
         self.wait()
         self.assertEqual(panel.table.item(2, 3).text(), "0")
+        self.assertIn("is no such number: 0 is kept", QtWidgets.QToolTip.text())
         key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
         self.wait()
         self.assertEqual(list(obj.Bias), [1])
@@ -336,8 +337,10 @@ class Drags(SplineWindow):
 
     def test_a_bad_text_leaves_table_and_handles(self):
         obj, panel = self.spline()
-        panel.options.fields["tension"].widget.setText("0; x")
-        self.wait()
+        for text in ("0; 1; -3", "0; x"):  # of a wrong number, and no numbers
+            panel.options.fields["tension"].widget.setText(text)
+            self.wait()
+            self.assertEqual(len(panel.editor.points), len(WAVE))
         self.assertTrue(panel.table.isVisible())
         drag(WAVE[1], (12, 27, 0))
         self.wait()

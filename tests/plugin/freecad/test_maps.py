@@ -370,3 +370,14 @@ def test_without_finite_values_there_are_no_extremes():
 ])
 def test_a_range_of_the_user_begins_with_the_values_found(least, largest, wanted):
     assert maps.given_range({"least": least, "largest": largest}) == wanted
+
+
+def test_no_sampled_value_is_above_its_proven_bound():
+    values = numpy.array([0.5, 1.2, numpy.nan, 88.0])
+    bound = {"lower": 1.0, "upper": 1.25}
+    found = seam_profile.within(values, bound, False)
+    numpy.testing.assert_array_equal(found, [0.5, 1.2, numpy.nan, 1.25])
+    found = seam_profile.within(values, bound, True)
+    numpy.testing.assert_array_equal(found, [0.5, 1.2, numpy.nan, numpy.nan])
+    for unknown in (None, {"lower": 1.0, "upper": None}):
+        assert seam_profile.within(values, unknown, True) is values

@@ -349,6 +349,18 @@ class Panel(WindowCase):
         self.press(QtWidgets.QDialogButtonBox.Close)
         self.assertIsNone(obj.ViewObject.Proxy.panel)
 
+    def test_a_recompute_that_fails_does_not_close(self):
+        obj, panel = self.analyse()
+        panel.tolerances.fields["AngleTolerance"].setValue(10.0)  # above the crease angle
+        self.press(QtWidgets.QDialogButtonBox.Close)
+        self.answer("Recompute and close")
+        self.assertIs(obj.ViewObject.Proxy.panel, panel)
+        self.assertIn("crease", panel.summary.text())
+        panel.tolerances.fields["AngleTolerance"].setValue(1.0)
+        panel.recompute()
+        settle()
+        panel.reject()
+
     def test_escape_in_the_view_closes_and_asks_before(self):
         obj, panel = self.analyse()
         view = Gui.getMainWindow().findChild(QtWidgets.QGraphicsView)

@@ -21,7 +21,7 @@ def source_shape(obj):
     """Return the shape of the source at its position in the model. Raises SourceError."""
     if obj.Source is None:
         raise sources.SourceError(
-            tr("The source was deleted: choose another one in the property Source")
+            tr("The source was deleted: choose another one")
         )
     return sources.world_shape(obj.Source)
 

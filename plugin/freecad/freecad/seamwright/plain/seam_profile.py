@@ -66,6 +66,19 @@ def profile(one, other, flat_radius_mm, crease_deg):
     }
 
 
+def within(values, bound, leaves_out):
+    """Return sampled values, none of them above the proven upper bound of a figure.
+
+    ``bound``: {"upper": number or None}, or None. What is above it is rounding or, where the
+    figure ``leaves_out`` a point without a normal, the value at that point, which is nan then.
+    """
+    upper = bound and bound["upper"]
+    if upper is None:
+        return values
+    instead = numpy.nan if leaves_out else upper
+    return numpy.where(values > upper, instead, values)
+
+
 def _rotations(axes, cosines):
     """Return the rotations about axes whose lengths are the sines of the angles."""
     cross = numpy.zeros((len(axes), 3, 3))

@@ -259,7 +259,12 @@ def _prepared(module, edge, faces, name):
 
 def _seam(name, seam, lengths, points, figures):
     bounds = {key: seam[key] for key in FIGURES}
-    return Seam(name, lengths, points, figures, bounds, seam["level"], seam["note"])
+    leaves_out = any(seam["left_out"].values())
+    known = {
+        key: seam_profile.within(values, bounds[key], leaves_out)
+        for key, values in figures.items()
+    }
+    return Seam(name, lengths, points, known, bounds, seam["level"], seam["note"])
 
 
 def _side_by_side(module, free, match_mm):

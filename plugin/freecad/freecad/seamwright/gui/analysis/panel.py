@@ -17,7 +17,7 @@ from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.flow import FlowLayout
-from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_summary
+from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_summary, make_text
 from freecad.seamwright.gui.widgets.keys import PanelKeys
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
@@ -122,6 +122,11 @@ class AnalysisPanel:
         self.seam_table.filter_chosen.connect(lambda name: self._set_look("Show", name))
         self.seam_table.asked.connect(self._asked)
         layout.addWidget(self.seam_table)
+        self.hidden = make_text()
+        self.hidden.setText(
+            tr("The analysis is hidden: the view shows its colours and labels once it is shown.")
+        )
+        layout.addWidget(self.hidden)
         self.look = LookForm()
         self.look.changed.connect(self._set_look)
         layout.addWidget(self.look)
@@ -141,10 +146,8 @@ class AnalysisPanel:
     def refresh(self):
         """Show the results as they are stored now; a long report once the view has read it."""
         self._shown = self._state()
-        self.results = analysis.known_results(self.obj)
-        if self.results is None:
-            self.obj.ViewObject.Proxy.refresh(self.obj.ViewObject)
-            self.results = analysis.known_results(self.obj) or SeamResults("", [], {"seams": []})
+        found = self.obj.ViewObject.Proxy.results(self.obj)
+        self.results = found or SeamResults("", [], {"seams": []})
         self.picker.numbers = self.results.numbers_on(self.obj.Name)
         self.obj.ViewObject.Proxy.mark([], [], [])
         self.seam_table.show_results(self.results)
@@ -159,6 +162,7 @@ class AnalysisPanel:
 
     def look_changed(self):
         """Show what the view shows."""
+        self.hidden.setVisible(not self.obj.ViewObject.Visibility)
         self.seam_table.show_filter(self.obj.ViewObject.Show)
         self.look.show_look(self.obj.ViewObject)
 
@@ -235,7 +239,7 @@ class AnalysisPanel:
             self.refresh()
             if again:
                 self._match(proposal)
-            elif then is not None:
+            elif then is not None and error is None:
                 then()
 
         self.computation.follow(plan, keep, self._abandoned)
@@ -312,8 +316,11 @@ class AnalysisPanel:
             self._show_seams(numbers, look=key == "zoom")
 
     def _edges_picked(self, numbers):
-        """Select the rows of edges."""
+        """Select the rows of edges; a filter that hides one of them ends."""
+        before = self.seam_table.filter.currentIndex()
         self.seam_table.select_edges(numbers)
+        if self.seam_table.filter.currentIndex() != before:
+            messages.say(tr("A picked edge is not among the seams shown before: all are shown."))
 
 
 def _buttons(asked):

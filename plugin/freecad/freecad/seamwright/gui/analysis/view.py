@@ -114,16 +114,23 @@ class SeamAnalysisView(PanelView):
             self.labels.show([])
             return
         obj = vobj.Object
-        results = analysis.known_results(obj)
-        if results is None and _is_long(obj):
-            self._read(obj)
-            return
+        results = self.results(obj)
         if results is None:
-            results = analysis.results_of(obj)
+            return
         self._draw_lines(vobj, results)
         self._picks.update(obj)
         self._draw_labels(vobj, results)
         self._update_legend(vobj, results.report)
+
+    def results(self, obj):
+        """Return the SeamResults of the object; None while a long report is read in a thread.
+
+        Then it is drawn and given to the panel.
+        """
+        if analysis.known_results(obj) is None and _is_long(obj):
+            self._read(obj)
+            return None
+        return analysis.results_of(obj)
 
     def _read(self, obj):
         """Read the stored report in a thread, and then show it in the view and in the panel."""

@@ -42,6 +42,10 @@ class PointTable(QtWidgets.QTableWidget):
             tr("Coordinates, tension and bias of each point; a bad number is not taken")
         )
         self.cellChanged.connect(self._change)
+        self._refused = None  # the index of a cell, and what it did not take
+        self._later = QtCore.QTimer(self)  # a tooltip ends when the editor of a cell closes
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self._say_refused)
 
     def show_points(self, points, columns):
         """Show points in mm, and numbers: for each column one for each point, or one for all."""
@@ -88,20 +92,18 @@ class PointTable(QtWidgets.QTableWidget):
             (numbers[row],) = options.parse_numbers(text)
         except (ValueError, IndexError):
             self.show_points(self._points, self._numbers)
-            self._say_not_taken(row, column, text)
+            said = tr("\u201c{text}\u201d is no such number: {kept} is kept.").format(
+                text=text, kept=self.item(row, column).text()
+            )
+            self._refused = self.model().index(row, column), said
+            self._later.start(0)
             return
         self.edited.emit(name, numbers)
 
-    def _say_not_taken(self, row, column, text):
-        place = self.visualItemRect(self.item(row, column)).bottomLeft()
-        kept = self.item(row, column).text()
-        QtWidgets.QToolTip.showText(
-            self.viewport().mapToGlobal(place),
-            tr("\u201c{text}\u201d is no such number: {kept} is kept.").format(
-                text=text, kept=kept
-            ),
-            self,
-        )
+    def _say_refused(self):
+        index, text = self._refused
+        place = self.viewport().mapToGlobal(self.visualRect(index).bottomLeft())
+        QtWidgets.QToolTip.showText(place, text, self)
 
     def _length_mm(self, text):
         """Return the length of a number in the unit of the user, or of an expression."""

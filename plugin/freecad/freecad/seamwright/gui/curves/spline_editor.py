@@ -85,6 +85,7 @@ class SplineEditor:
         values = self._read()
         if values is None or not self.panel.is_due():
             self.drawing.hide_spline()
+        values = None if values is None else self._usable(values)
         if values is None or not self._compute(values):
             self.drawing.forget()
         elif self.shown:
@@ -103,6 +104,15 @@ class SplineEditor:
             return None
         self.given = self._points_of(values)
         return values
+
+    def _usable(self, values):
+        """Return the values; without numbers for points where these make no spline.
+
+        Then there are handles of the points all the same.
+        """
+        if self._compute(values):
+            return values
+        return {**values, "tension": [0.0], "bias": [1.0]}
 
     def _compute(self, values):
         return self.drawing.compute(self._points_of(values), self._closed, values)
@@ -134,7 +144,7 @@ class SplineEditor:
             pixels = projection.pixels(self.drawing.places.get(kind, ()))
             place = spline_handles.nearest(pixels, pixel, REACH_PX)
             if place is not None:
-                self._values = self.panel.spline_values()
+                self._values = self._usable(self.panel.spline_values())
                 snapper = Snapper(self.obj.Document, self.obj)
                 self._drag = _Drag(kind, place, pixels[place] - pixel, self._values, snapper)
                 self.drawing.begin()
@@ -160,8 +170,11 @@ class SplineEditor:
         elif self._drag is not None:
             drag = self._drag
             self._end_drag()
-            if self._values != drag.before:
-                self.panel.keep_values(self._values)
+            changed = {
+                name: value for name, value in self._values.items() if value != drag.before[name]
+            }
+            if changed:
+                self.panel.keep_values({**self.panel.spline_values(), **changed})
             self.load()
 
     def wants(self, name):
