@@ -194,6 +194,16 @@ const char* name(FillMethod method) {
   }
 }
 
+std::optional<double> FillHoleReport::waves() const {
+  // Choices: fair fills of real holes stay below 1.6, and 1e-9 is the curvature of a plane but for
+  // rounding, in any unit of parts.
+  constexpr double many = 2, flat_per_mm = 1e-9;
+  if (!both_ways_per_mm || around_curvature_per_mm.value_or(0) <= flat_per_mm) return std::nullopt;
+  const double times = *both_ways_per_mm / *around_curvature_per_mm;
+  if (times < many) return std::nullopt;
+  return times;
+}
+
 std::optional<double> FillHoleReport::largestGap_mm() const {
   return largest(*this, &SeamFigures::gap_mm);
 }

@@ -91,9 +91,12 @@ struct FillHoleReport {
   double reach = 0;
   /// See NSidedFill, against neighbours as fitted; nothing if it was not minimised.
   std::optional<double> curvature_jump_per_mm;
-  /// The largest normal curvature of the new faces and of those that they replace, at points
-  /// inside; nothing if the fill was not kept, or if no face was taken out.
-  std::optional<double> curvature_per_mm, removed_curvature_per_mm;
+  /// The largest normal curvature of the new faces, of those beside them and of those that they
+  /// replace, at points inside; nothing if the fill was not kept, or if no face was taken out.
+  std::optional<double> curvature_per_mm, around_curvature_per_mm, removed_curvature_per_mm;
+  /// The smaller one of the largest mean curvatures to either side of the new faces: large in
+  /// dents and waves, small in domes and saddles.
+  std::optional<double> both_ways_per_mm;
   /// Between new faces and others, also measured if the fill was not kept.
   std::vector<SeamResult> outer;
   std::vector<SeamResult> inner;  ///< seams between the new faces
@@ -110,6 +113,9 @@ struct FillHoleReport {
     return face_names.at(static_cast<std::size_t>(face) - 1);
   }
 
+  /// both_ways_per_mm over around_curvature_per_mm, if that is 2 or more: such a fill has dents or
+  /// waves, whatever its seams. Nothing beside flat faces.
+  std::optional<double> waves() const;
   /// The largest upper bounds over all new seams; nothing if one is not known or nothing was sewn.
   std::optional<double> largestGap_mm() const;
   std::optional<double> largestAngle_rad() const;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <TopoDS.hxx>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -10,6 +13,7 @@
 #include <seamwright/occ_adapter/fill/sheet_face.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/failure_text.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 
 namespace seamwright::occ {
@@ -18,6 +22,29 @@ namespace {
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<TopoDS_Shape> newFaces(const FillHoleReport& report) {
+  const TopTools_IndexedMapOfShape all = partsOf(report.model.shape, TopAbs_FACE);
+  std::vector<TopoDS_Shape> faces;
+  for (const int face : report.faces) faces.push_back(all(face));
+  return faces;
+}
+
+/// The largest normal curvature of the faces beside the fill, along its boundary.
+std::optional<double> curvatureAround_per_mm(const FillHoleReport& report) {
+  const TopTools_IndexedMapOfShape faces = partsOf(report.model.shape, TopAbs_FACE),
+                                   edges = partsOf(report.model.shape, TopAbs_EDGE);
+  std::optional<double> largest;
+  for (const SeamResult& seam : report.outer)
+    for (const int face : seam.faces) {
+      if (std::ranges::count(report.faces, face) > 0) continue;
+      for (const int edge : seam.edges)
+        if (const auto there =
+                largestCurvatureAlong_per_mm(TopoDS::Edge(edges(edge)), TopoDS::Face(faces(face))))
+          largest = std::max(largest.value_or(0), *there);
+    }
+  return largest;
 }
 
 /// What sewing, measuring and judging find about new faces.
@@ -42,7 +69,12 @@ void complete(const FillTask& task, const FillFaces& made, const Progress& progr
   if (!report.filled) return;
   report.model.attributes = attributesAfter(task.model.attributes, fill.whole, fill.sewn);
   report.model.shape = filledShape(fill, task.model.shape);
-  report.curvature_per_mm = largestCurvature_per_mm({made.faces.begin(), made.faces.end()});
+  if (const std::optional<Bends> bends = bendsOf(newFaces(report))) {
+    report.curvature_per_mm = bends->largest_per_mm;
+    report.both_ways_per_mm =
+        std::min(bends->mean_per_mm.upper, std::abs(bends->mean_per_mm.lower));
+  }
+  report.around_curvature_per_mm = curvatureAround_per_mm(report);
 }
 
 /// Takes what the faces tell into the report.

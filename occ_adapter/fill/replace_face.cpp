@@ -135,7 +135,8 @@ FillHoleReport replaceFaces(const Model& model, const std::vector<int>& faces,
     for (FilledSide& side : report.sides)
       for (int& edge : side.edges) edge = edges.given(edge);
     report.reason = inGivenNumbers(std::move(report.reason), edges);
-    report.removed_curvature_per_mm = largestCurvature_per_mm(old);
+    if (const std::optional<Bends> bends = bendsOf(old))
+      report.removed_curvature_per_mm = bends->largest_per_mm;
   } catch (const NotFilled& why) {
     report.reason = why.reason();
   } catch (const Standard_Failure& failure) {

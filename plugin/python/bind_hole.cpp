@@ -158,6 +158,18 @@ void bindFillFigures(FillClass& type) {
           "curvature_per_mm", [](const FillReport& fill) { return fill.report.curvature_per_mm; },
           "The largest normal curvature at points of the new faces; None if there are none.")
       .def_property_readonly(
+          "around_curvature_per_mm",
+          [](const FillReport& fill) { return fill.report.around_curvature_per_mm; },
+          "The same of the faces beside the fill; None if it was not kept.")
+      .def_property_readonly(
+          "both_ways_per_mm", [](const FillReport& fill) { return fill.report.both_ways_per_mm; },
+          "The smaller one of the largest mean curvatures to either side of the new faces: large "
+          "in dents and waves; None if the fill was not kept.")
+      .def_property_readonly(
+          "waves", [](const FillReport& fill) { return fill.report.waves(); },
+          "both_ways_per_mm over around_curvature_per_mm, if that is 2 or more; else None. Such a "
+          "fill has dents or waves, whatever its seams.")
+      .def_property_readonly(
           "removed_curvature_per_mm",
           [](const FillReport& fill) { return fill.report.removed_curvature_per_mm; },
           "The same of the faces that were taken out; None if none was.")

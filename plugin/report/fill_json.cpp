@@ -205,6 +205,9 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   json["largest_curvature_rel"] = maybe(report.largestCurvature_rel());
   json["curvature_jump_per_mm"] = maybe(report.curvature_jump_per_mm);
   json["curvature_per_mm"] = maybe(report.curvature_per_mm);
+  json["around_curvature_per_mm"] = maybe(report.around_curvature_per_mm);
+  json["both_ways_per_mm"] = maybe(report.both_ways_per_mm);
+  json["waves"] = maybe(report.waves());
   json["removed_curvature_per_mm"] = maybe(report.removed_curvature_per_mm);
   json["output"] = toJson(output);
   json["faces"] = report.faces;
@@ -248,6 +251,11 @@ std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOption
     constexpr std::size_t first_number = 3;  // index of the first column of numbers
     writeRows(out, rowsOf(report, options), first_number);
   }
+  if (const std::optional<double> times = report.waves())
+    out << fmt::format(
+        "the fill bends both ways, {:.2g} times as strongly as the faces around it: look at its "
+        "stripes for dents or waves\n",
+        *times);
   out << '\n';
   const ModelCounts memory = countsOf(report, options);
   const std::string differences = output ? output->differences(memory) : "";

@@ -146,6 +146,25 @@ class Results(DocumentCase):
         with self.assertRaisesRegex(kernel.KernelUnavailable, "OpenCASCADE 9.9.9"):
             kernel.load("9.9.9")
 
+    def test_deleted_sources_are_an_error_and_not_everything(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.addObject("Part::Sphere", "Sphere")
+        self.doc.recompute()
+        obj = analysis.create([box], self.doc)
+        self.assertEqual((obj.Seams, analysis.error_text(obj)), (12, ""))
+        self.doc.removeObject("Box")
+        for _ in range(2):
+            obj.touch()
+            self.doc.recompute()
+            self.assertIn("Box was deleted", analysis.error_text(obj))
+            self.assertEqual((obj.Seams, obj.Analysed), (0, []))
+        obj.Sources = [self.doc.Sphere]
+        self.doc.recompute()
+        self.assertEqual((analysis.error_text(obj), obj.Analysed), ("", [self.doc.Sphere]))
+        obj.Sources = []
+        self.doc.recompute()
+        self.assertEqual((analysis.error_text(obj), obj.Analysed), ("", [self.doc.Sphere]))
+
     def test_the_source_is_left_as_it_was(self):
         prism = self.prism()
         self.doc.recompute()

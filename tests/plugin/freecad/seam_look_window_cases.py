@@ -430,7 +430,7 @@ class Gone(LookCase):
         self.assertEqual(Gui.Selection.getSelection(), [])
         self.assertGreater(count(picture("gone"), BAND), FEW)
         click(panel.recompute_button, QtCore.QPoint(5, 5))
-        self.assertIn("nothing to analyse", panel.summary.text())
+        self.assertIn("Prism was deleted", panel.summary.text())
         self.assertEqual(panel.seam_table.model.rowCount(), 0)
         self.assertEqual(count(picture("gone"), BAND), 0)
         self.assertEqual(self.classes(), set())

@@ -90,3 +90,18 @@ def test_a_fill_that_was_kept_anyway_needs_no_button():
     report = {"target": "G1", "tolerance": LIMITS, "fills": [fill]}
     assert fill_text.reasons(report) == ["Hole 1: a seam misses."]
     assert "Keep anyway" in fill_text.reasons({**report, "fills": [{**fill, "filled": False}]})[0]
+
+
+def test_a_fill_with_waves_is_named():
+    found = {"filled": True, "reached": True, "reason": "", "reason_code": "", "target": "G1",
+             "faces": [4], "outer": [seam(1)], "inner": [], "waves": 2.34}  # fmt: skip
+    entry = fill_text.entry(found, hole=2)
+    assert fill_text.waves_text(entry) == (
+        "Hole 2 bends both ways, 2.3 times as strongly as the faces around it: look at its "
+        "stripes for dents or waves."
+    )
+    report = {**fill_text.EMPTY_REPORT, "fills": [entry], "target": "G1", "tolerance": LIMITS}
+    assert fill_text.summary_text(report).endswith(fill_text.waves_text(entry))
+    fair = fill_text.entry({**found, "waves": None}, hole=2)
+    assert fill_text.waves_text(fair) == ""
+    assert "stripes" not in fill_text.summary_text({**report, "fills": [fair]})

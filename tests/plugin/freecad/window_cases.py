@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 import ImportGui
 import models
 import Part
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from window import (
     OUT, WindowCase, analyses, camera, click, click_row, count, messages, mouse, picture,
@@ -349,6 +349,30 @@ class Panel(WindowCase):
         self.press(QtWidgets.QDialogButtonBox.Close)
         self.assertIsNone(obj.ViewObject.Proxy.panel)
 
+    def test_widths_of_columns_are_those_of_the_user_only_after_a_drag(self):
+        _, panel = self.analyse()
+        table = panel.seam_table.table
+        fitted = [table.columnWidth(column) for column in range(4)]
+        buttons = mock.patch.object(QtWidgets.QApplication, "mouseButtons", lambda: 1)
+        with buttons:  # the double click that opens a panel
+            table.setColumnWidth(1, fitted[1] + 40)
+        table.fit_columns()
+        self.assertEqual([table.columnWidth(column) for column in range(4)], fitted)
+        header = table.horizontalHeader()
+        edge = QtCore.QPoint(header.sectionViewportPosition(1) - 1, header.height() // 2)
+        for kind, place in (
+            (QtCore.QEvent.MouseButtonPress, edge),
+            (QtCore.QEvent.MouseMove, edge + QtCore.QPoint(20, 0)),
+            (QtCore.QEvent.MouseButtonRelease, edge + QtCore.QPoint(20, 0)),
+        ):
+            event = QtGui.QMouseEvent(
+                kind, place, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier
+            )
+            QtWidgets.QApplication.sendEvent(header.viewport(), event)
+        table.fit_columns()
+        self.assertEqual(table.columnWidth(0), fitted[0] + 20)
+        panel.reject()
+
     def test_a_recompute_that_fails_does_not_close(self):
         obj, panel = self.analyse()
         panel.tolerances.fields["AngleTolerance"].setValue(10.0)  # above the crease angle
@@ -422,7 +446,7 @@ class Commands(WindowCase):
         self.doc.recompute()
         settle()
         self.assertEqual(obj.Outcome, "without result")
-        self.assertIn("nothing to analyse", obj.Summary)
+        self.assertIn("Prism was deleted", obj.Summary)
         self.assertEqual((obj.Seams, obj.Shape.isNull()), (0, True))
 
     def test_undo_takes_the_analysis_away(self):

@@ -49,6 +49,9 @@ def test_faces_are_replaced_together(shell):
     assert list_of_one.largest_angle_deg == one.largest_angle_deg
     assert one.removed_curvature_per_mm == one.to_dict()["removed_curvature_per_mm"] > 0
     assert 0 < one.curvature_per_mm < 10 * one.removed_curvature_per_mm
+    assert one.around_curvature_per_mm == one.to_dict()["around_curvature_per_mm"] > 0
+    assert one.waves is None and one.to_dict()["waves"] is None
+    assert 0 <= one.both_ways_per_mm < 2 * one.around_curvature_per_mm
     for wrong, message in (([], "no face"), ([64, 999], "999"), (["64"], "whole number")):
         with pytest.raises(ValueError, match=message):
             shell.fill(face=wrong)

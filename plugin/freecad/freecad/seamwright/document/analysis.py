@@ -42,6 +42,7 @@ RESULTS = (
 
 INTERNAL = feature.INTERNAL + (
     ("Analysed", "App::PropertyLinkListGlobal", "The objects that were analysed"),
+    ("SourceNames", "App::PropertyStringList", "Names of the Sources at the last analysis"),
 )  # fmt: skip
 
 __all__ = ["SeamAnalysis", "create", "error_text", "is_analysis", "report_of"]
@@ -93,6 +94,13 @@ class SeamAnalysis(feature.Feature):
     @staticmethod
     def job(module, obj, private=False):
         """Return the Job that finds (report, compound of the seam edges, objects, SeamResults)."""
+        deleted = _deleted_sources(obj)
+        if deleted:
+            raise sources.SourceError(
+                tr("{names} was deleted: choose others in the property Sources").format(
+                    names=", ".join(deleted)
+                )
+            )
         model, level, given = sources.Model(source_objects(obj)), obj.Level, tolerances(obj)
         names = [source.Name for source in model.objects]
         make = feature.model_maker(module, model.shape, private)
@@ -128,6 +136,8 @@ class SeamAnalysis(feature.Feature):
         keep_results(obj, results)
         feature.keep_text(obj, results.text)
         obj.Analysed = objects
+        if not _deleted_sources(obj):
+            obj.SourceNames = [each.Name for each in obj.Sources]
         facts = dict(results.facts)
         text = facts.pop("Summary")
         for name, value in facts.items():
@@ -190,6 +200,12 @@ def source_objects(obj):
     if obj.Sources:
         return sources.expand(obj.Sources)
     return sources.everything(obj.Document, exclude=obj.Document.getObject(obj.Name))
+
+
+def _deleted_sources(obj):
+    """Return the names of the Sources if all of them were deleted, which empties the property."""
+    names = [] if obj.Sources else obj.SourceNames
+    return [name for name in names if obj.Document.getObject(name) is None]
 
 
 def tolerances(obj):

@@ -25,6 +25,7 @@ from freecad.seamwright.plain.language import mark, tr
 #: What a report says about the faces at a seam: two new ones, or a new one and a face by its name.
 BESIDE, INSIDE = new_seams.BESIDE, mark("the fill itself")
 
+
 #: What has to be allowed for a fill that misses its target.
 ALLOWED = {
     "gap_mm": mark("a gap tolerance of {figure} mm"),
@@ -112,6 +113,7 @@ def entry(found, hole=None, face=None):
         "reason": _readable(found["reason"]),
         "faces": found["faces"] if found["filled"] else [],
         "seams": seams,
+        "waves": found.get("waves"),
     }
 
 
@@ -262,6 +264,17 @@ def summary_text(report):
     )
     met = all(fill["reached"] for fill in done)
     verdict = tr("{level} is met") if met else tr("{level} is not met, kept anyway")
-    return tr("{holes} with {faces}; {seams}; {verdict}.").format(
+    text = tr("{holes} with {faces}; {seams}; {verdict}.").format(
         holes=text, faces=made, seams=seams, verdict=verdict.format(level=target)
     )
+    return " ".join([text, *filter(None, map(waves_text, done))])
+
+
+def waves_text(fill):
+    """Return a sentence about a fill with dents or waves, or ""."""
+    if not fill.get("waves"):
+        return ""
+    return tr(
+        "{name} bends both ways, {times} times as strongly as the faces around it: look at its "
+        "stripes for dents or waves."
+    ).format(name=name_of(fill), times="%.2g" % fill["waves"])

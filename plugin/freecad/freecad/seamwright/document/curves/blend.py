@@ -184,8 +184,8 @@ def _lofts(module, blend, order, tolerance_mm, progress):
         if not lofts[-1].reached:
             raise ValueError(
                 tr(
-                    "the surface is {distance_mm:.3g} mm from the curves between: take a tolerance "
-                    "larger than {tolerance_mm:g} mm"
+                    "the surface comes within {distance_mm:.3g} mm of the curves between, not "
+                    "within {tolerance_mm:g} mm: take a tolerance above {distance_mm:.3g} mm"
                 ).format(distance_mm=lofts[-1].distance_mm, tolerance_mm=tolerance_mm)
             )
     return lofts

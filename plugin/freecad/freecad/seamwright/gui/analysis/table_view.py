@@ -47,7 +47,7 @@ class SeamTableView(QtWidgets.QTableView):
     def __init__(self, model):
         super().__init__()
         self.by_keys = False  # whether the user just moved with the keys
-        self._fitting, self._users_widths = True, False
+        self._fitting, self._held, self._users_widths = True, False, False
         self._widths = {}
         self.setModel(model)
         show_seams_in(self, HEIGHT)
@@ -59,6 +59,7 @@ class SeamTableView(QtWidgets.QTableView):
         header.setSortIndicator(-1, QtCore.Qt.AscendingOrder)
         header.setMinimumSectionSize(SMALLEST)
         header.setTextElideMode(QtCore.Qt.ElideRight)
+        header.viewport().installEventFilter(self)
         header.sectionResized.connect(self._column_resized)
         self.setSortingEnabled(True)
         self._fitting = False
@@ -99,9 +100,17 @@ class SeamTableView(QtWidgets.QTableView):
         return least, max(least, texts), whole
 
     def _column_resized(self, *_):
-        # Hiding a column and the first layout resize columns too.
-        dragged = QtWidgets.QApplication.mouseButtons() != QtCore.Qt.NoButton
-        self._users_widths = self._users_widths or (dragged and not self._fitting)
+        # Hiding a column and the first layout resize columns too, also while a mouse button is held
+        # elsewhere: the double click that opens the panel.
+        self._users_widths = self._users_widths or (self._held and not self._fitting)
+
+    def eventFilter(self, header, event):
+        """Note whether a mouse button is held on the headings."""
+        if event.type() in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
+            self._held = True
+        elif event.type() == QtCore.QEvent.MouseButtonRelease:
+            self._held = False
+        return super().eventFilter(header, event)
 
     def resizeEvent(self, event):
         """Fit the columns to the new width."""
