@@ -5,7 +5,7 @@ from freecad.seamwright.document import sources
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.surfaces.blend import LATERAL
 from freecad.seamwright.document.surfaces.chain import tangent_chain
-from freecad.seamwright.document.surfaces.extend import UP_TO
+from freecad.seamwright.document.surfaces.extend import BY_FACE, BY_LENGTH, UP_TO
 from freecad.seamwright.document.surfaces.surface import Surface
 from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
 from freecad.seamwright.gui.base.row_table import INKS
@@ -81,6 +81,12 @@ class SurfacePanel(OptionPanel):
     def check(self, name, chosen):
         """Raise SourceError or ValueError where a property cannot have these links."""
         self.obj.Proxy.check(name, chosen)
+
+    def take(self, name, chosen):
+        """Let a property have these links; a face up to which to go is where the surface ends."""
+        if name == UP_TO:
+            self.options.fields["until"].show_value(BY_FACE if chosen else BY_LENGTH)
+        super().take(name, chosen)
 
     def say(self, text):
         """Show this text as the result."""
