@@ -10,7 +10,7 @@ The report is a dict with the result of the kernel and these keys:
 
 from dataclasses import dataclass
 
-from freecad.seamwright.plain import enclosure, new_seams, rows
+from freecad.seamwright.plain import enclosure, new_seams, repair_text, rows
 from freecad.seamwright.plain.curve_text import bound
 from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.summary import counted
@@ -48,6 +48,11 @@ class Row:
     met: bool
     cells: tuple  # texts, one for each of COLUMNS
     detail: str
+
+    @property
+    def state(self):
+        """As repair_text has it: whether the level is met."""
+        return repair_text.REPAIRED if self.met else repair_text.NOT_REPAIRED
 
 
 def build_rows(report):
