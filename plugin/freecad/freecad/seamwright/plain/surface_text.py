@@ -22,8 +22,15 @@ COLUMNS = (
     (mark("Gap {unit}"), mark("Largest distance between the two sides, in {unit}")),
     (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
     (mark("Curvature %"), mark("Largest relative difference of curvature, in %")),
+    (
+        mark("Change %"),
+        mark("Largest relative difference of the change of curvature, in % (measured for G3)"),
+    ),
     (mark("Result"), mark("Whether the seam certainly has its level")),
 )
+
+#: The column of the change of curvature, whose figures only seams with G3 have.
+CHANGE = 5
 
 #: The kind of a seam inside a surface.
 LINE = "line of joints"
@@ -75,8 +82,13 @@ def build_rows(report):
     return found
 
 
+def has_change(report):
+    """Return whether the change of curvature was measured at a seam of a report."""
+    return any(seam.get("curvature_change_rel") for seam in report.get("seams", []))
+
+
 def _row(places, seam, tolerance, met):
-    figures = (rows.shown_text(seam, name, tolerance) for name in FIGURES)
+    figures = (rows.shown_text(seam, name, tolerance) for name in rows.SHOWN)
     name = tr(seam["name"])
     if seam["kind"] == LINE:
         name = tr("line {number}").format(number=name)
@@ -87,8 +99,8 @@ def _row(places, seam, tolerance, met):
 def _together(places, report):
     """Return the Row of several lines that have their level, with the largest figures."""
     seams = [report["seams"][place] for place in places]
-    whole = {name: new_seams.largest(seams, name) for name in FIGURES}
-    figures = (rows.shown_text(whole, name, report["tolerance"]) for name in FIGURES)
+    whole = {name: new_seams.largest(seams, name) for name in rows.SHOWN}
+    figures = (rows.shown_text(whole, name, report["tolerance"]) for name in rows.SHOWN)
     along = counted(len(seams), LINE)
     verdict = tr("{target} is met").format(target=seams[0]["target"])
     detail = tr("Lines inside the surface at which the curves have their joints")

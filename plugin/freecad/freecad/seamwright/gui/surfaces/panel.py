@@ -88,7 +88,9 @@ class SurfacePanel(OptionPanel):
         super().refresh()
         if surface_text.folds(report_of(self.obj)):
             self.summary.setStyleSheet(ink.style(ink.BAD, self.summary))
-        self.table.show_rows(surface_text.build_rows(report_of(self.obj)))
+        report = report_of(self.obj)
+        self.table.setColumnHidden(surface_text.CHANGE, not surface_text.has_change(report))
+        self.table.show_rows(surface_text.build_rows(report))
         self._show_marks()
 
     def _show_marks(self):
