@@ -215,6 +215,22 @@ class Umbrellas(FreeSurfaceCase):
         self.doc.recompute()
         self.assertFailed(obj, "in the panel, or select nothing")
 
+    def test_an_edge_that_no_single_curve_follows_is_named(self):
+        def wavy(edge):
+            curve, turn = Part.BSplineCurve(), V(0, 0, 1)
+            points = edge.discretize(9)
+            curve.interpolate([p + (k % 2) * turn for k, p in enumerate(points)])
+            return curve.toShape()
+
+        sources = self.add([spoke(2 * number, 10) for number in range(5)])
+        rims = self.add([rim(number, side) for side in (-1, 1) for number in (3, 0, 4, 1, 2)])
+        rims[6].Shape = wavy(rims[6].Shape)
+        obj = kinds.create("Umbrella", {"Sources": sources, "Boundary": rims})
+        self.assertWithout(obj, r" mm from edge 7 of the outer boundary, and 0.001 mm are allowed")
+        sources[3].Shape = wavy(sources[3].Shape)
+        self.doc.recompute()
+        self.assertWithout(obj, r" mm from edge 4, and 0.001 mm are allowed")
+
     def test_one_outer_edge_makes_a_three_sided_face(self):
         sources = self.add([spoke(2 * number, 10) for number in range(5)])
         tips = [source.Shape.valueAt(source.Shape.LastParameter) for source in sources]

@@ -86,6 +86,11 @@ def text_of(shape):
     return re.sub(r"^[01]{7}$", "", shape.exportBrepToString(), flags=re.M)
 
 
+def counts(face):
+    """The numbers of poles of a face."""
+    return [face.Surface.NbUPoles, face.Surface.NbVPoles]
+
+
 class Results(MatchCase):
     def test_two_objects_are_matched(self):
         self.sheets()
@@ -106,8 +111,8 @@ class Results(MatchCase):
         )
         self.assertTrue(obj.Summary.startswith("Matched: G1 is met; "), obj.Summary)
         faces = [*self.left.Shape.Faces, *self.right.Shape.Faces, *obj.Shape.Faces]
-        counts = [[each.Surface.NbUPoles, each.Surface.NbVPoles] for each in faces]
-        self.assertEqual(match.report_of(obj)["poles"], [counts[::2], counts[1::2]])
+        poles = [counts(each) for each in faces]
+        self.assertEqual(match.report_of(obj)["poles"], [poles[::2], poles[1::2]])
 
     def test_curvature_is_matched_for_g2(self):
         self.sheets()
@@ -199,6 +204,20 @@ class Chains(MatchCase):
             angles.append(math.degrees(math.asin(normals[0].cross(normals[1]).Length)))
         self.assertLess(max(angles), 1e-3)
         self.assertIn("%s joins " % moved, obj.Summary)
+        self.assertPolesTold(obj, moved)
+
+    def assertPolesTold(self, obj, moved):
+        """The Summary names the faces that got other numbers of poles."""
+        told, names = match.report_of(obj)["poles"], match.report_of(obj)["faces"]
+        self.assertEqual(names[0], moved)
+        sources = {each.Label + ".Face1": each for each in (self.right, self.low, self.high)}
+        for name, face, (before, after) in zip(names, obj.Shape.Faces, told):
+            self.assertLess(face.CenterOfMass.distanceToPoint(sources[name].Shape.CenterOfMass), 9)
+            self.assertEqual(before, counts(sources[name].Shape.Face1))
+            self.assertEqual(after, counts(face))
+            text = "%s has %d x %d poles instead of %d x %d" % (name, *after, *before)
+            self.assertEqual(text in obj.Summary, after != before)
+        self.assertEqual(len(told), 3)
 
     def test_a_face_joins_a_chain_of_faces(self):
         first, second, more = (self.low, "Face1"), (self.right, "Face1"), [(self.high, "Face1")]

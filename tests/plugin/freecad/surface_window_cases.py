@@ -36,7 +36,9 @@ from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.surfaces.view import COLOUR
+from freecad.seamwright.plain import surface_text
 
+RESULT = len(surface_text.COLUMNS) - 1
 BALL = [round(255 * each) for each in HANDLE]
 
 
@@ -72,6 +74,14 @@ class SurfaceWindow(PanelWindow):
         panel.options.fields[argument].show_value(value)
         settle(0.1 + PREVIEW_AFTER_MS / 1000)
 
+    def check_table_shows(self, table, rows):
+        """All rows and columns are seen, the result second, and nothing is empty below."""
+        self.assertEqual((table.rowCount(), table.visualColumn(RESULT)), (rows, 1))
+        bars = table.horizontalScrollBar(), table.verticalScrollBar()
+        self.assertEqual([bar.isVisible() for bar in bars], [False, False])
+        room = table.viewport().height() - rows * table.rowHeight(0)
+        self.assertLess(abs(room), table.rowHeight(0) / 2)
+
     def use(self, panel, name):
         click(panel.boxes[name].use, panel.boxes[name].use.rect().center())
 
@@ -105,7 +115,7 @@ class Panel(SurfaceWindow):
         self.doc.recompute()
         obj, panel = self.start("Umbrella", (spokes, ""))
         self.assertEqual(sorted(self.column(panel, 1)), ["Edge %d" % k for k in range(1, 6)])
-        self.assertEqual(set(self.column(panel, 5)), {"G1 is met"})
+        self.assertEqual(set(self.column(panel, RESULT)), {"G1 is met"})
         self.assertFalse(panel.options.fields["curvature_rel"].widget.isVisible())
         self.assertEqual(panel.options.fields["degree"].widget.text(), "automatic")
         before = count(picture("umbrella"), INK)
@@ -113,6 +123,7 @@ class Panel(SurfaceWindow):
         self.assertGreater(count(picture("umbrella-row"), INK), before + 20)
         panel.zebra.setChecked(True)
         settle()
+        self.check_table_shows(panel.table, 5)
         self.assertEqual(zebra.objects(self.doc), [obj])  # the edges of the sources stay seen
         whole_window("umbrella")
         self.set_field(panel, "open", True)
@@ -128,7 +139,7 @@ class Panel(SurfaceWindow):
         obj, panel = self.start("Umbrella", (spokes, ""))
         self.set_field(panel, "order", "G2")
         settle(1.0)
-        self.assertEqual(set(self.column(panel, 5)), {"G2 is met"})
+        self.assertEqual(set(self.column(panel, RESULT)), {"G2 is met"})
         self.assertTrue(panel.options.fields["curvature_rel"].widget.isVisible())
         self.assertIn("curvature at most", panel.summary.text())
         self.select(*((outer, "Edge%d" % number) for number in range(1, 11)))
@@ -137,7 +148,7 @@ class Panel(SurfaceWindow):
         self.assertIn("with G2 the outer boundary is found", panel.summary.text())
         self.set_field(panel, "order", "G1")
         settle(1.0)
-        self.assertEqual(set(self.column(panel, 5)), {"G1 is met"})
+        self.assertEqual(set(self.column(panel, RESULT)), {"G1 is met"})
         self.assertTrue(panel.summary.text().endswith("; the outer boundary stays."))
         whole_window("umbrella-boundary")
         self.select()
@@ -181,22 +192,29 @@ class Panel(SurfaceWindow):
         self.assertEqual(self.column(panel, 0), ["Start", "End"])
         names = ["%s.%s" % (each.Label, name) for each, name in (self.start_edge, self.end_edge)]
         self.assertEqual(self.column(panel, 1), names)
-        self.assertEqual(self.column(panel, 5), ["G2 is met", "G2 is met"])
+        self.assertEqual(self.column(panel, RESULT), ["G2 is met", "G2 is met"])
+        self.check_table_shows(panel.table, 2)
+        self.assertTrue(panel.table.isColumnHidden(surface_text.CHANGE))
         self.assertTrue(panel.options.fields["start_tension"].widget.isVisible())
         self.set_field(panel, "start_order", "G0")
         self.assertFalse(panel.options.fields["start_tension"].widget.isVisible())
         self.assertEqual(obj.StartOrder, "G0")
-        self.assertEqual(self.column(panel, 5), ["G0 is met", "G2 is met"])
+        self.assertEqual(self.column(panel, RESULT), ["G0 is met", "G2 is met"])
         self.assertGreater(float(self.column(panel, 3)[0].split("..")[0]), 1)
         before = count(picture("surface-row-off"), INK)
         click_row(panel.table, 1)
         self.assertGreater(count(picture("surface-row-on"), INK), before + 50)
         self.set_field(panel, "end_order", "G3")
-        self.assertEqual(self.column(panel, 5)[1], "G3 is met")
+        self.assertEqual(self.column(panel, RESULT)[1], "G3 is met")
+        self.assertFalse(panel.table.isColumnHidden(surface_text.CHANGE))
+        change = self.column(panel, surface_text.CHANGE)
+        self.assertEqual([text == "\u2013" for text in change], [True, False])
+        self.check_table_shows(panel.table, 2)
+        whole_window("surface-change")
         area = obj.Shape.Area
         self.set_field(panel, "end_tension", 2.0)
         self.assertGreater(abs(obj.Shape.Area - area), 0.5)
-        self.set_field(panel, "gap_mm", 1e-9)
+        self.set_field(panel, "gap_mm", 1e-12)
         self.assertFalse(obj.Reached)
         self.assertIn("Not reached", panel.summary.text())
         self.cancel()
@@ -286,7 +304,7 @@ class Panel(SurfaceWindow):
         again.ViewObject.Proxy.doubleClicked(again.ViewObject)
         settle()
         panel = again.ViewObject.Proxy.panel
-        self.assertEqual(self.column(panel, 5), ["G2 is met", "G2 is met"])
+        self.assertEqual(self.column(panel, RESULT), ["G2 is met", "G2 is met"])
         self.set_field(panel, "start_order", "G1")
         self.ok()
         self.assertEqual((again.StartOrder, again.Reached), ("G1", True))
@@ -500,8 +518,18 @@ class Picking(SurfaceWindow):
         self.doc.recompute()
         self.select((wall, "Face1"))
         self.use(panel, "UpTo")
-        self.set_field(panel, "until", "Face")
+        self.assertEqual((obj.Until, obj.UpTo), ("Face", [(wall, ("Face1",))]))
         self.assertFalse(panel.options.fields["length_mm"].widget.isVisible())
         self.assertEqual((panel.summary.text(), panel._handles), (obj.Summary, {}))
         self.assertTrue(obj.Reached, obj.Summary)
+        panel.key("undo")
+        settle()
+        self.assertEqual((obj.Until, obj.UpTo), ("Length", []))
+        panel.key("redo")
+        settle()
+        self.assertEqual((obj.Until, obj.UpTo), ("Face", [(wall, ("Face1",))]))
+        self.select()
+        self.use(panel, "UpTo")
+        self.assertEqual((obj.Until, obj.UpTo), ("Length", []))
+        self.assertTrue(panel.options.fields["length_mm"].widget.isVisible())
         self.ok()

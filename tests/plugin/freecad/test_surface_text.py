@@ -72,10 +72,19 @@ def test_lines_inside_a_surface_that_have_their_level_are_one_row():
     assert (missed.seams, missed.met, missed.cells[:2]) == ((1,), False, ("Inside", "line 2"))
     assert (together.seams, together.met) == ((0, 2), True)
     assert together.cells == (
-        "Inside", "2 lines of joints", "\u22642e-5", "\u22643e-6", "\u22640.02", "G2 is met"
+        "Inside", "2 lines of joints", "\u22642e-5", "\u22643e-6", "\u22640.02", "\u2013",
+        "G2 is met",
     )  # fmt: skip
     (row,) = surface_text.build_rows(report(lines[0]))
     assert row.cells[:2] == ("Inside", "line 1")
+
+
+def test_the_change_of_curvature_is_a_figure_of_seams_with_g3():
+    found = report(MET, {**MET, "target": "G3", "curvature_change_rel": figure(1e-3, 1.1e-3)})
+    cells = [row.cells[surface_text.CHANGE] for row in surface_text.build_rows(found)]
+    assert cells == ["\u2013", "0.1..0.11"]
+    assert surface_text.has_change(found) and not surface_text.has_change(report(MET))
+    assert surface_text.COLUMNS[surface_text.CHANGE][0] == "Change %"
 
 
 def test_bounds_are_those_of_seams_whose_level_they_decide():
@@ -196,7 +205,8 @@ def test_a_loft_tells_its_lines_of_joints():
 
 def test_headings_of_the_table():
     assert [heading for heading, _ in surface_text.COLUMNS] == [
-        "Place", "Along", "Gap {unit}", "Angle \u00b0", "Curvature %", "Result"
+        "Place", "Along", "Gap {unit}", "Angle \u00b0", "Curvature %",
+            "Change %", "Result",
     ]  # fmt: skip
 
 

@@ -236,11 +236,16 @@ def match_job(module, obj, private=False):
         report = {**result.to_dict(), "target": target, "tolerance": limits, "faces": faces}
         report["reason"] = match_text.advised(named(report["reason"]), result.reason_code)
         made = result.model.to_freecad() if result.matched else Part.Shape()
-        pairs = zip(shape.Faces, made.Faces)
-        report["poles"] = [[_poles(face.Surface) for face in pair] for pair in pairs]
+        report["poles"] = _poles_of(shape, made)
         return report, made
 
     return feature.Job(tr("Matching surfaces\u2026"), run, finish)
+
+
+def _poles_of(before, after):
+    """Return [(numbers of poles before, after) of each face] of a shape and of its match."""
+    pairs = zip(before.Faces, after.Faces)
+    return [[_poles(face.Surface) for face in pair] for pair in pairs]
 
 
 def _poles(surface):
@@ -273,7 +278,9 @@ def _chain_job(module, obj, chosen, private):
 
     def finish(result):
         report = {**match_chain.report_of(result, gathered), "target": target, "tolerance": limits}
-        return report, result.model.to_freecad() if result.matched else Part.Shape()
+        made = result.model.to_freecad() if result.matched else Part.Shape()
+        report["poles"] = _poles_of(gathered.shape, made)
+        return report, made
 
     return feature.Job(tr("Matching surfaces\u2026"), run, finish)
 

@@ -10,7 +10,7 @@ The report is a dict with the result of the kernel and these keys:
 
 from dataclasses import dataclass
 
-from freecad.seamwright.plain import enclosure, new_seams, rows
+from freecad.seamwright.plain import enclosure, new_seams, repair_text, rows
 from freecad.seamwright.plain.curve_text import bound
 from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.summary import counted
@@ -22,8 +22,15 @@ COLUMNS = (
     (mark("Gap {unit}"), mark("Largest distance between the two sides, in {unit}")),
     (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
     (mark("Curvature %"), mark("Largest relative difference of curvature, in %")),
+    (
+        mark("Change %"),
+        mark("Largest relative difference of the change of curvature, in % (measured for G3)"),
+    ),
     (mark("Result"), mark("Whether the seam certainly has its level")),
 )
+
+#: The column of the change of curvature, whose figures only seams with G3 have.
+CHANGE = 5
 
 #: The kind of a seam inside a surface.
 LINE = "line of joints"
@@ -49,6 +56,11 @@ class Row:
     cells: tuple  # texts, one for each of COLUMNS
     detail: str
 
+    @property
+    def state(self):
+        """As repair_text has it: whether the level is met."""
+        return repair_text.REPAIRED if self.met else repair_text.NOT_REPAIRED
+
 
 def build_rows(report):
     """Return a Row for each seam of a report.
@@ -70,8 +82,13 @@ def build_rows(report):
     return found
 
 
+def has_change(report):
+    """Return whether the change of curvature was measured at a seam of a report."""
+    return any(seam.get("curvature_change_rel") for seam in report.get("seams", []))
+
+
 def _row(places, seam, tolerance, met):
-    figures = (rows.shown_text(seam, name, tolerance) for name in FIGURES)
+    figures = (rows.shown_text(seam, name, tolerance) for name in rows.SHOWN)
     name = tr(seam["name"])
     if seam["kind"] == LINE:
         name = tr("line {number}").format(number=name)
@@ -82,8 +99,8 @@ def _row(places, seam, tolerance, met):
 def _together(places, report):
     """Return the Row of several lines that have their level, with the largest figures."""
     seams = [report["seams"][place] for place in places]
-    whole = {name: new_seams.largest(seams, name) for name in FIGURES}
-    figures = (rows.shown_text(whole, name, report["tolerance"]) for name in FIGURES)
+    whole = {name: new_seams.largest(seams, name) for name in rows.SHOWN}
+    figures = (rows.shown_text(whole, name, report["tolerance"]) for name in rows.SHOWN)
     along = counted(len(seams), LINE)
     verdict = tr("{target} is met").format(target=seams[0]["target"])
     detail = tr("Lines inside the surface at which the curves have their joints")

@@ -37,9 +37,10 @@ def edges_between(module, spokes, edges, values):
                 )
             )
         runs = chain if start == sector else [(each, not last) for each, last in chain[::-1]]
-        for place, ((_, edge), from_last) in enumerate(runs):
+        for place, ((number, edge), from_last) in enumerate(runs):
+            name = tr("edge {number} of the outer boundary").format(number=number)
             curve, distance = fitted(
-                module, edge, from_last != bool(place), values["fit_mm"], values["rational"]
+                module, edge, name, from_last != bool(place), values["fit_mm"], values["rational"]
             )
             found[sector].append(curve)
             fit_mm = max(fit_mm, distance)

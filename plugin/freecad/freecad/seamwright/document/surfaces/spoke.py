@@ -10,13 +10,13 @@ from freecad.seamwright.plain.language import tr
 DEGREES, SAMPLES = (3, 5, 7, 9), 200
 
 
-def fitted(module, edge, from_last, tolerance_mm, rational=False):
+def fitted(module, edge, name, from_last, tolerance_mm, rational=False):
     """Return (BezierCurve, its distance from the edge in mm) of an edge from one of its ends.
 
     A polynomial Bezier curve stays as it is, and with ``rational`` a rational one, too. Otherwise a
     curve with the same ends and the same tangents there takes its place. Its distance is measured
     between points of equal parameters.
-    Raises ValueError where it is larger than the tolerance.
+    Raises ValueError where it is larger than the tolerance; ``name``: that of the edge in a text.
     """
     spline = inputs.curve_of(module, edge).bezier_spline()
     if spline.segments == 1 and (rational or not spline.is_rational):
@@ -35,9 +35,9 @@ def fitted(module, edge, from_last, tolerance_mm, rational=False):
             return curve, float(distance)
     raise ValueError(
         tr(
-            "a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} "
+            "a curve of degree {degree} is {distance:.3g} mm from {edge}, and {tolerance_mm:g} "
             "mm are allowed: divide the edge, or allow more"
-        ).format(degree=DEGREES[-1], distance=distance, tolerance_mm=tolerance_mm)
+        ).format(degree=DEGREES[-1], distance=distance, edge=name, tolerance_mm=tolerance_mm)
     )
 
 

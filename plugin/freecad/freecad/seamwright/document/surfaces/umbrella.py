@@ -127,9 +127,10 @@ class Umbrella(FreeSurface):
             ))
         _check_kinds(values, boundary)
         rational = values["rational"] and _is_g1(values)
+        at_lasts = _common_ends(edges, values["meet_mm"])
         found = [
-            fitted(module, edge, at_last, values["fit_mm"], rational)
-            for edge, at_last in zip(edges, _common_ends(edges, values["meet_mm"]))
+            fitted(module, edge, _name(number), at_last, values["fit_mm"], rational)
+            for number, (edge, at_last) in enumerate(zip(edges, at_lasts), 1)
         ]
         spokes = _around([curve for curve, _ in found], max(distance for _, distance in found))
         if not boundary:
@@ -221,6 +222,11 @@ class Umbrella(FreeSurface):
     def text(cls, report):
         """Return the summary of a report."""
         return surface_text.umbrella_summary(report)
+
+
+def _name(number):
+    """Return the name of an edge of the selection within a sentence."""
+    return tr("edge {number}").format(number=number)
 
 
 def _check_kinds(values, boundary):

@@ -15,23 +15,26 @@ INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
 #: The least width of the outcome, in pixels.
 LEAST = 150
 
+#: Rows for which a table that is as high as its rows always has room, and at most.
+FEWEST, MOST = 2, 8
+
 
 class RowTable(QtWidgets.QTableWidget):
     """Rows with ``cells``, a text for each of the columns (heading, tool tip).
 
     ``detail`` of a row is its tool tip. Its ``state`` is a key of INKS or another state, whose text
-    has the default colour. ``height``: the minimum height in pixels.
+    has the default colour. ``height``: the minimum height in pixels; None: as high as the rows.
     """
 
-    def __init__(self, columns, height):
+    def __init__(self, columns, height=None):
         super().__init__(0, len(columns))
-        self.rows, self._columns = [], columns
+        self.rows, self._columns, self._grows = [], columns, height is None
         name_columns(self, self._columns)
         header = self.horizontalHeader()
         header.moveSection(len(columns) - 1, 1)  # far columns may be off the panel
         header.setStretchLastSection(True)
         self.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        show_seams_in(self, height)
+        show_seams_in(self, height or 0)
         self.fit_columns()
 
     def fit_columns(self):
@@ -50,6 +53,17 @@ class RowTable(QtWidgets.QTableWidget):
         room = self.viewport().width() - sum(widths)
         header.setSectionResizeMode(outcome, QtWidgets.QHeaderView.Interactive)
         header.resizeSection(outcome, min(whole, max(room, LEAST)))
+        if self._grows:
+            self._fit_height()
+
+    def _fit_height(self):
+        """Be as high as the rows, and a scrollbar below them where the columns need one."""
+        header = self.horizontalHeader()
+        lines = min(max(self.rowCount(), FEWEST), MOST)
+        height = header.sizeHint().height() + lines * self.verticalHeader().defaultSectionSize()
+        if header.length() > self.viewport().width():
+            height += self.horizontalScrollBar().sizeHint().height()
+        self.setFixedHeight(height + 2 * self.frameWidth())
 
     def resizeEvent(self, event):
         """Fit the columns to the new width."""

@@ -5,22 +5,18 @@ from freecad.seamwright.document import sources
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.surfaces.blend import LATERAL
 from freecad.seamwright.document.surfaces.chain import tangent_chain
-from freecad.seamwright.document.surfaces.extend import UP_TO
+from freecad.seamwright.document.surfaces.extend import BY_FACE, BY_LENGTH, UP_TO
 from freecad.seamwright.document.surfaces.surface import Surface
 from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
-from freecad.seamwright.gui.base.row_table import INKS
+from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.scene.substitutes import local_shape
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import ink, messages
-from freecad.seamwright.gui.widgets.forms import (
-    make_box, make_summary, name_columns, show_seams_in
-)  # fmt: skip
-from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
-from freecad.seamwright.plain import repair_text, rows, surface_text
+from freecad.seamwright.gui.widgets.forms import make_box, make_summary
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.plain import rows, surface_text
 from freecad.seamwright.plain.language import tr
-
-TABLE_HEIGHT = 110
 
 
 class SurfacePanel(OptionPanel):
@@ -28,7 +24,6 @@ class SurfacePanel(OptionPanel):
 
     DOCK_WIDTH = 560
     _striped = ()
-    _rows = ()
 
     def __init__(self, obj, created):
         super().__init__(obj, created)
@@ -59,12 +54,7 @@ class SurfacePanel(OptionPanel):
         """Return the box of the result; it has ``summary``."""
         box, layout = make_box(tr("Result"))
         self.summary = make_summary()
-        self.table = QtWidgets.QTableWidget(0, len(surface_text.COLUMNS))
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        show_seams_in(self.table, TABLE_HEIGHT)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        header.setStretchLastSection(True)
+        self.table = RowTable(surface_text.COLUMNS)
         self.zebra = QtWidgets.QCheckBox(tr("Zebra stripes"))
         self.zebra.setToolTip(tr("Draw zebra stripes on the surface and on the faces beside it"))
         for widget in (self.summary, self.table, self.zebra):
@@ -82,6 +72,12 @@ class SurfacePanel(OptionPanel):
         """Raise SourceError or ValueError where a property cannot have these links."""
         self.obj.Proxy.check(name, chosen)
 
+    def take(self, name, chosen):
+        """Let a property have these links; a face up to which to go is where the surface ends."""
+        if name == UP_TO:
+            self.options.fields["until"].show_value(BY_FACE if chosen else BY_LENGTH)
+        super().take(name, chosen)
+
     def say(self, text):
         """Show this text as the result."""
         self.summary.setStyleSheet("")
@@ -92,17 +88,9 @@ class SurfacePanel(OptionPanel):
         super().refresh()
         if surface_text.folds(report_of(self.obj)):
             self.summary.setStyleSheet(ink.style(ink.BAD, self.summary))
-        self._rows = built = surface_text.build_rows(report_of(self.obj))
-        name_columns(self.table, surface_text.COLUMNS)
-        self.table.clearSelection()
-        self.table.setRowCount(len(built))
-        for line, row in enumerate(built):
-            state = repair_text.REPAIRED if row.met else repair_text.NOT_REPAIRED
-            for column, text in enumerate(row.cells):
-                item = QtWidgets.QTableWidgetItem(text)
-                item.setToolTip(row.detail)
-                self.table.setItem(line, column, item)
-            item.setForeground(QtGui.QBrush(ink.ink(INKS[state], self.table)))
+        report = report_of(self.obj)
+        self.table.setColumnHidden(surface_text.CHANGE, not surface_text.has_change(report))
+        self.table.show_rows(surface_text.build_rows(report))
         self._show_marks()
 
     def _show_marks(self):
@@ -110,8 +98,8 @@ class SurfacePanel(OptionPanel):
         report = report_of(self.obj)
         sides = [] if self._ended else self.obj.Proxy.marks(report)
         marks = [(point, tr(name)) for point, name in sides]
-        chosen = {index.row() for index in self.table.selectedIndexes()} if marks else ()
-        for place in (place for line in chosen for place in self._rows[line].seams):
+        chosen = self.table.chosen() if marks else ()
+        for place in (place for row in chosen for place in row.seams):
             seam = report["seams"][place]
             if seam["worst"]:
                 label = rows.worst_label(seam, report["tolerance"])

@@ -3025,8 +3025,8 @@ Gezeigt: {show}</translation>
         <translation>eine Krümmungstoleranz von {figure} %</translation>
     </message>
     <message>
-        <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
-        <translation>eine Kurve vom Grad {degree} ist {distance:.3g} mm von einer Kante entfernt, und {tolerance_mm:g} mm sind erlaubt: Teilen Sie die Kante, oder erlauben Sie mehr</translation>
+        <source>a curve of degree {degree} is {distance:.3g} mm from {edge}, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
+        <translation>eine Kurve vom Grad {degree} ist {distance:.3g} mm von {edge} entfernt, und {tolerance_mm:g} mm sind erlaubt: Teilen Sie die Kante, oder erlauben Sie mehr</translation>
     </message>
     <message>
         <source>a face</source>
@@ -3225,8 +3225,16 @@ Gezeigt: {show}</translation>
         <translation>Schräge zur Entformungsrichtung hin</translation>
     </message>
     <message>
+        <source>edge {number}</source>
+        <translation>Kante {number}</translation>
+    </message>
+    <message>
         <source>edge {number} does not belong to a hole: it is not free, or not part of a closed loop</source>
         <translation>Kante {number} gehört zu keinem Loch: Sie ist nicht frei, oder nicht Teil einer geschlossenen Schleife</translation>
+    </message>
+    <message>
+        <source>edge {number} of the outer boundary</source>
+        <translation>Kante {number} des äußeren Rands</translation>
     </message>
     <message>
         <source>edge {number} of the outer boundary does not lead from the end of an edge to that of its neighbour: it ends {distance} mm from the nearest end</source>

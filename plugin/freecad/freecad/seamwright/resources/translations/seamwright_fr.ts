@@ -3022,7 +3022,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
+        <source>a curve of degree {degree} is {distance:.3g} mm from {edge}, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3222,7 +3222,15 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>edge {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>edge {number} does not belong to a hole: it is not free, or not part of a closed loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge {number} of the outer boundary</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3025,8 +3025,8 @@ Shown: {show}</source>
         <translation>曲率公差 {figure} %</translation>
     </message>
     <message>
-        <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
-        <translation>{degree} 次曲线与一条边相距 {distance:.3g} mm，允许值为 {tolerance_mm:g} mm：请分割该边，或放宽允许值</translation>
+        <source>a curve of degree {degree} is {distance:.3g} mm from {edge}, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
+        <translation>{degree} 次曲线与{edge}相距 {distance:.3g} mm，允许值为 {tolerance_mm:g} mm：请分割该边，或放宽允许值</translation>
     </message>
     <message>
         <source>a face</source>
@@ -3225,8 +3225,16 @@ Shown: {show}</source>
         <translation>朝向拔模方向</translation>
     </message>
     <message>
+        <source>edge {number}</source>
+        <translation>边 {number} </translation>
+    </message>
+    <message>
         <source>edge {number} does not belong to a hole: it is not free, or not part of a closed loop</source>
         <translation>边 {number} 不属于孔：它不是自由边，或不在闭合环中</translation>
+    </message>
+    <message>
+        <source>edge {number} of the outer boundary</source>
+        <translation>外边界的边 {number} </translation>
     </message>
     <message>
         <source>edge {number} of the outer boundary does not lead from the end of an edge to that of its neighbour: it ends {distance} mm from the nearest end</source>
