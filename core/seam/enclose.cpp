@@ -354,8 +354,8 @@ void Enclosure::lookAtGap(double from, double to) {
 std::vector<double> Enclosure::partsOf(const Piece& piece) const {
   std::vector<double> ends = {piece.from, piece.to};
   const auto& relative = piece.figures.curvature_rel;
-  const bool has_bounds = std::isfinite(piece.excess) &&
-                          (!relative || relative->upper < largest_relative_difference);
+  const bool has_bounds =
+      std::isfinite(piece.excess) && (!relative || relative->upper < largest_relative_difference);
   const auto grade = [&](double nearest, double farthest, double end) {
     double distance = std::max(2 * nearest, pole_piece);
     for (; distance < farthest / 1.5; distance *= 2)

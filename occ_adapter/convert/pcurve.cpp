@@ -127,9 +127,8 @@ bool storesPcurve(const TopoDS_Edge& edge, const opencascade::handle<Geom_Surfac
                   const TopLoc_Location& location) {
   const auto shape = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
   const TopLoc_Location on_edge = location.Predivided(edge.Location());
-  return std::ranges::any_of(shape->Curves(), [&](const auto& each) {
-    return each->IsCurveOnSurface(surface, on_edge);
-  });
+  return std::ranges::any_of(
+      shape->Curves(), [&](const auto& each) { return each->IsCurveOnSurface(surface, on_edge); });
 }
 
 /// The projection of a line or a circle that is parallel to a plane; without a curve for others.

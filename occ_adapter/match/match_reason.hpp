@@ -54,10 +54,10 @@ enum class MatchFault {
   // A join is not kept.
   LessFair,  ///< a moved face would be less fair
   MovesTooFar,
-  SideMoves,    ///< a side that is held would move
-  FoldsOver,    ///< a moved face would fold
-  StillMisses,  ///< the proven figures miss the level
-  EdgesStray,   ///< edges would be off their faces
+  SideMoves,        ///< a side that is held would move
+  FoldsOver,        ///< a moved face would fold
+  StillMisses,      ///< the proven figures miss the level
+  EdgesStray,       ///< edges would be off their faces
   NeighboursApart,  ///< faces that move and join one another would be moved apart
   ChecksFail,       ///< OpenCASCADE's checks
   OpenCascadeFailed,

@@ -68,9 +68,10 @@ std::string codeOf(MatchFault fault) {
   return match_codes.at(static_cast<std::size_t>(fault));
 }
 
+using enum MatchFault;
+
 std::string remedyOf(MatchFault fault) {
   switch (fault) {
-    using enum MatchFault;
     case NoCommonBoundary:
     case SideIsFree:
       return "a larger matching distance, or edges that meet";

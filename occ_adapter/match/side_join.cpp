@@ -138,6 +138,35 @@ std::vector<Reachable> attemptsOf(const SideMatchOptions& options, const TopoDS_
   return all;
 }
 
+bool isPiece(const SideJoin& join, const Seam& seam) {
+  return std::ranges::any_of(join.pieces, [&](const SidePiece& piece) {
+    return std::ranges::count(piece.seam.edges, seam.edges[0]) > 0;
+  });
+}
+
+/// Where two faces move, they must not leave one another at free edges that lay side by side.
+/// \param graph with the shared edges of the given shape alone.
+MatchReason whyApart(const SideJoin& join, SeamGraph graph, const std::vector<FaceChange>& changes,
+                     const TopoDS_Shape& changed, const MatchReason& how) {
+  if (changes.size() < 2) return {};
+  const auto moved = [&](int face) {
+    return std::ranges::count(changes, face, &FaceChange::face) > 0;
+  };
+  const double gap_mm = join.options.tolerance.gap_mm;
+  matchFreeEdges({.match_mm = join.options.match_mm, .gap_mm = gap_mm}, graph, {});
+  const AnalyzeOptions options = analyzeOptionsOf(join.options, 0);
+  for (const Seam& seam : graph.seams) {
+    if (seam.kind != SeamKind::Matched || !moved(seam.sides[0].face) ||
+        !moved(seam.sides[1].face) || isPiece(join, seam))
+      continue;
+    const std::optional<Figure> before = measureSeam(seam, options).figures.gap_mm,
+                                after = measureSeam(seamIn(changed, seam), options).figures.gap_mm;
+    if (before && after && after->lower > std::max(gap_mm, before->upper.value_or(0)))
+      return match_why::neighboursApart(how, seam.edges, after->lower);
+  }
+  return {};
+}
+
 class SideJoiner {
  public:
   SideJoiner(const SideJoin& join, const Progress& progress)
@@ -286,7 +315,8 @@ class SideJoiner {
         return match_why::stillMisses(how, figuresText(after.back()));
     }
     if (MatchReason fault = whyDamaged(changes, changed, how); !fault.empty()) return fault;
-    if (MatchReason fault = whyApart(changes, changed, how); !fault.empty()) return fault;
+    if (MatchReason fault = whyApart(join_, graph_, changes, changed, how); !fault.empty())
+      return fault;
     result_.remarks = {how};
     if (join_.names.empty()) addWorse(changes, changed);
     result_.after = std::move(after);
@@ -312,36 +342,6 @@ class SideJoiner {
     return before.whole && !now.whole ? match_why::checksFail(how) : MatchReason{};
   }
 
-  /// Where two faces move, they must not leave one another at free edges that lay side by side.
-  MatchReason whyApart(const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                       const MatchReason& how) const {
-    if (changes.size() < 2) return {};
-    const auto moved = [&](int face) {
-      return std::ranges::count(changes, face, &FaceChange::face) > 0;
-    };
-    const double gap_mm = join_.options.tolerance.gap_mm;
-    SeamGraph graph = graph_;
-    matchFreeEdges({.match_mm = join_.options.match_mm, .gap_mm = gap_mm}, graph, {});
-    for (const Seam& seam : graph.seams) {
-      if (seam.kind != SeamKind::Matched || !moved(seam.sides[0].face) ||
-          !moved(seam.sides[1].face) || isPiece(seam))
-        continue;
-      const AnalyzeOptions options = analyzeOptionsOf(join_.options, 0);
-      const std::optional<Figure> before = measureSeam(seam, options).figures.gap_mm,
-                                  after =
-                                      measureSeam(seamIn(changed, seam), options).figures.gap_mm;
-      if (before && after && after->lower > std::max(gap_mm, before->upper.value_or(0)))
-        return match_why::neighboursApart(how, seam.edges, after->lower);
-    }
-    return {};
-  }
-
-  bool isPiece(const Seam& seam) const {
-    return std::ranges::any_of(join_.pieces, [&](const SidePiece& piece) {
-      return std::ranges::count(piece.seam.edges, seam.edges[0]) > 0;
-    });
-  }
-
   /// Names the other seams of the moved faces that lost a level.
   void addWorse(const std::vector<FaceChange>& changes, const TopoDS_Shape& changed) {
     const SeamGraph now = findSeams(changed);
@@ -350,7 +350,7 @@ class SideJoiner {
       const bool is_beside = std::ranges::any_of(changes, [&](const FaceChange& change) {
         return seam.sides[0].face == change.face || seam.sides[1].face == change.face;
       });
-      if (!is_beside || isPiece(seam)) continue;
+      if (!is_beside || isPiece(join_, seam)) continue;
       const auto found = std::ranges::find(now.seams, seam.edges, &Seam::edges);
       if (found == now.seams.end()) continue;
       const AnalyzeOptions options = analyzeOptionsOf(join_.options, 2);

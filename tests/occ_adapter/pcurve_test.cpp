@@ -13,8 +13,8 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <TopoDS.hxx>
-#include <gp_Circ.hxx>
 #include <cmath>
+#include <gp_Circ.hxx>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -93,9 +93,9 @@ TEST(PcurveOnPlane, IsThatOfOpenCascadeForLinesAndCirclesInAnyPlace) {
                      frame.XDirection().Rotated(frame.Axis(), number(random)));
     if (i % 5 == 4) of_circle.Rotate(gp_Ax1(of_circle.Location(), of_circle.XDirection()), 0.3);
     const gp_Pnt end = ElSLib::PlaneValue(number(random), number(random), frame);
-    const TopoDS_Edge edge =
-        i % 2 == 0 ? BRepBuilderAPI_MakeEdge(gp_Circ(of_circle, 7), 0.5, 3).Edge()
-                   : BRepBuilderAPI_MakeEdge(of_circle.Location(), end).Edge();
+    const TopoDS_Edge edge = i % 2 == 0
+                                 ? BRepBuilderAPI_MakeEdge(gp_Circ(of_circle, 7), 0.5, 3).Edge()
+                                 : BRepBuilderAPI_MakeEdge(of_circle.Location(), end).Edge();
     TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(frame)).Face();
     gp_Trsf placed;
     placed.SetRotation(gp_Ax1(point(), direction()), number(random));

@@ -17,7 +17,13 @@ from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.flow import FlowLayout
-from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_summary, make_text
+from freecad.seamwright.gui.widgets.forms import (
+    buttons,
+    make_box,
+    make_form,
+    make_summary,
+    make_text,
+)
 from freecad.seamwright.gui.widgets.keys import PanelKeys
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets

@@ -456,6 +456,10 @@
         <translation>Verschiebt die zweite von zwei ausgewählten Flächen, oder beide, bis sie ohne Knick (G1) oder mit gleicher Krümmung (G2) aneinanderschließen. Haben sie mehrere gemeinsame Kanten, auch die anzupassende Kante auswählen. Von mehr Flächen wird die letzte verschoben und schließt an alle anderen an; Kanten stehen für ihre Flächen.</translation>
     </message>
     <message>
+        <source>Names of the Sources at the last analysis</source>
+        <translation>Namen der Sources bei der letzten Analyse</translation>
+    </message>
+    <message>
         <source>No point moved further, in mm</source>
         <translation>Kein Punkt wurde weiter verschoben, in mm</translation>
     </message>
@@ -1139,6 +1143,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>A parabola</source>
         <translation>Eine Parabel</translation>
+    </message>
+    <message>
+        <source>A picked edge is not among the seams shown before: all are shown.</source>
+        <translation>Eine gewählte Kante gehört nicht zu den bisher gezeigten Nähten: alle werden gezeigt.</translation>
     </message>
     <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
@@ -2737,6 +2745,10 @@ Gezeigt: {show}</translation>
         <translation>Spannung am Anfang</translation>
     </message>
     <message>
+        <source>The analysis is hidden: the view shows its colours and labels once it is shown.</source>
+        <translation>Die Analyse ist ausgeblendet: die Ansicht zeigt ihre Farben und Beschriftungen, sobald sie eingeblendet wird.</translation>
+    </message>
+    <message>
         <source>The best fill needs {tolerances}; Keep anyway keeps it.</source>
         <translation>Die beste Füllung braucht {tolerances}; „Trotzdem behalten“ behält sie.</translation>
     </message>
@@ -2813,8 +2825,8 @@ Gezeigt: {show}</translation>
         <translation>Die Seite der Fläche oder ihr Inneres</translation>
     </message>
     <message>
-        <source>The source was deleted: choose another one in the property Source</source>
-        <translation>Die Quelle wurde gelöscht: Wählen Sie eine andere in der Eigenschaft Source</translation>
+        <source>The source was deleted: choose another one</source>
+        <translation>Die Quelle wurde gelöscht: eine andere wählen</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -3829,12 +3841,12 @@ Gezeigt: {show}</translation>
         <translation>die Quellen wurden gelöscht: {advice}</translation>
     </message>
     <message>
-        <source>the surface folds {distance_mm} mm from the side</source>
-        <translation>die Fläche faltet sich {distance_mm} mm von der Seite</translation>
+        <source>the surface comes within {distance_mm:.3g} mm of the curves between, not within {tolerance_mm:g} mm: take a tolerance above {distance_mm:.3g} mm</source>
+        <translation>die Fläche kommt den Kurven dazwischen auf {distance_mm:.3g} mm nahe, nicht auf {tolerance_mm:g} mm: eine Toleranz über {distance_mm:.3g} mm wählen</translation>
     </message>
     <message>
-        <source>the surface is {distance_mm:.3g} mm from the curves between: take a tolerance larger than {tolerance_mm:g} mm</source>
-        <translation>die Fläche ist {distance_mm:.3g} mm von den Zwischenkurven entfernt: Nehmen Sie eine Toleranz größer als {tolerance_mm:g} mm</translation>
+        <source>the surface folds {distance_mm} mm from the side</source>
+        <translation>die Fläche faltet sich {distance_mm} mm von der Seite</translation>
     </message>
     <message>
         <source>the three points are on a line: move the corner off it</source>
@@ -4443,6 +4455,14 @@ Gezeigt: {show}</translation>
     <message>
         <source>{moves} points were moved, but the sources have {points}: empty the property Moves</source>
         <translation>{moves} Punkte wurden verschoben, aber die Quellen haben {points}: Leeren Sie die Eigenschaft Moves</translation>
+    </message>
+    <message>
+        <source>{names} was deleted: choose others in the property Sources</source>
+        <translation>{names} wurde gelöscht: andere in der Eigenschaft Sources wählen</translation>
+    </message>
+    <message>
+        <source>{name} bends both ways, {times} times as strongly as the faces around it: look at its stripes for dents or waves.</source>
+        <translation>{name} biegt sich nach beiden Seiten, {times} Mal so stark wie die Flächen ringsum: in den Streifen nach Dellen oder Wellen sehen.</translation>
     </message>
     <message>
         <source>{name} bounds no face: choose an edge of a face</source>

@@ -456,6 +456,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Names of the Sources at the last analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No point moved further, in mm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1137,6 +1141,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>A parabola</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picked edge is not among the seams shown before: all are shown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2734,6 +2742,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The analysis is hidden: the view shows its colours and labels once it is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The best fill needs {tolerances}; Keep anyway keeps it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2810,7 +2822,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The source was deleted: choose another one in the property Source</source>
+        <source>The source was deleted: choose another one</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3826,11 +3838,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the surface folds {distance_mm} mm from the side</source>
+        <source>the surface comes within {distance_mm:.3g} mm of the curves between, not within {tolerance_mm:g} mm: take a tolerance above {distance_mm:.3g} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the surface is {distance_mm:.3g} mm from the curves between: take a tolerance larger than {tolerance_mm:g} mm</source>
+        <source>the surface folds {distance_mm} mm from the side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4439,6 +4451,14 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{moves} points were moved, but the sources have {points}: empty the property Moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{names} was deleted: choose others in the property Sources</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} bends both ways, {times} times as strongly as the faces around it: look at its stripes for dents or waves.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

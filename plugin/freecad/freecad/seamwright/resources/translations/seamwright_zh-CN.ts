@@ -456,6 +456,10 @@
         <translation>移动两个所选面中的第二个或两者，直到它们以无折角 (G1) 或相同曲率 (G2) 相接。如果它们有多条公共边，还请选择要匹配的边。选择更多面时，移动最后一个面，使其与其他所有面相接；边代表其所在的面。</translation>
     </message>
     <message>
+        <source>Names of the Sources at the last analysis</source>
+        <translation>上次分析时 Sources 的名称</translation>
+    </message>
+    <message>
         <source>No point moved further, in mm</source>
         <translation>没有点移动得更远，单位 mm</translation>
     </message>
@@ -1139,6 +1143,10 @@ Shown: {show}</source>
     <message>
         <source>A parabola</source>
         <translation>一条抛物线</translation>
+    </message>
+    <message>
+        <source>A picked edge is not among the seams shown before: all are shown.</source>
+        <translation>所选的边不在之前显示的接缝之中：现在显示全部接缝。</translation>
     </message>
     <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
@@ -2737,6 +2745,10 @@ Shown: {show}</source>
         <translation>起点处的张力</translation>
     </message>
     <message>
+        <source>The analysis is hidden: the view shows its colours and labels once it is shown.</source>
+        <translation>分析已隐藏：显示后，视图才会显示其颜色和标签。</translation>
+    </message>
+    <message>
         <source>The best fill needs {tolerances}; Keep anyway keeps it.</source>
         <translation>最佳填充需要{tolerances}；“仍然保留”会保留它。</translation>
     </message>
@@ -2813,8 +2825,8 @@ Shown: {show}</source>
         <translation>曲面的一侧或其内部</translation>
     </message>
     <message>
-        <source>The source was deleted: choose another one in the property Source</source>
-        <translation>来源已被删除：请在属性 Source 中另选一个</translation>
+        <source>The source was deleted: choose another one</source>
+        <translation>源对象已被删除：请选择另一个</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -3829,12 +3841,12 @@ Shown: {show}</source>
         <translation>来源已被删除：{advice}</translation>
     </message>
     <message>
-        <source>the surface folds {distance_mm} mm from the side</source>
-        <translation>曲面在距该侧 {distance_mm} mm 处折叠</translation>
+        <source>the surface comes within {distance_mm:.3g} mm of the curves between, not within {tolerance_mm:g} mm: take a tolerance above {distance_mm:.3g} mm</source>
+        <translation>曲面与中间曲线的距离为 {distance_mm:.3g} mm，未达到 {tolerance_mm:g} mm：请取大于 {distance_mm:.3g} mm 的公差</translation>
     </message>
     <message>
-        <source>the surface is {distance_mm:.3g} mm from the curves between: take a tolerance larger than {tolerance_mm:g} mm</source>
-        <translation>曲面与中间曲线相距 {distance_mm:.3g} mm：请取大于 {tolerance_mm:g} mm 的公差</translation>
+        <source>the surface folds {distance_mm} mm from the side</source>
+        <translation>曲面在距该侧 {distance_mm} mm 处折叠</translation>
     </message>
     <message>
         <source>the three points are on a line: move the corner off it</source>
@@ -4443,6 +4455,14 @@ Shown: {show}</source>
     <message>
         <source>{moves} points were moved, but the sources have {points}: empty the property Moves</source>
         <translation>移动了 {moves} 个点，但来源有 {points} 个：请清空属性 Moves</translation>
+    </message>
+    <message>
+        <source>{names} was deleted: choose others in the property Sources</source>
+        <translation>{names} 已被删除：请在属性 Sources 中选择其他对象</translation>
+    </message>
+    <message>
+        <source>{name} bends both ways, {times} times as strongly as the faces around it: look at its stripes for dents or waves.</source>
+        <translation>{name} 向两侧弯曲，程度是周围面的 {times} 倍：请查看其条纹是否有凹陷或波纹。</translation>
     </message>
     <message>
         <source>{name} bounds no face: choose an edge of a face</source>
