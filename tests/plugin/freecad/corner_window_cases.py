@@ -17,6 +17,7 @@ from window import (
 )  # fmt: skip
 
 from freecad.seamwright.document import corner, elements
+from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.corner.panel import RADIUS, SETBACK
 from freecad.seamwright.plain import corner_text
 
@@ -65,7 +66,13 @@ class Rounding(CornerWindow):
         self.assertEqual(panel.edges.item(0, 2).text(), "convex, 90\u00b0")
         self.assertGreater(tinted(picture("corner-preview")), MANY)
         whole_window("corner-preview")
+        panel.zebra.setChecked(True)
+        settle()
+        self.assertEqual(zebra.objects(self.doc), [obj])
+        self.assertEqual(tinted(picture("corner-stripes")), 0)
+        whole_window("corner-stripes-window")
         self.ok()
+        self.assertEqual(zebra.objects(self.doc), [])
         self.assertIsNone(obj.ViewObject.Proxy.panel)
         self.assertEqual(
             (self.visible(), obj.ViewObject.Proxy.claimChildren()), ([obj.Name], [self.source])

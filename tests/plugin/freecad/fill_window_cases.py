@@ -18,6 +18,7 @@ from window import (
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, fill
+from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.plain import fill_misses, new_seams
 
 FILL = "Seamwright_UmbrellaFill"
@@ -66,12 +67,19 @@ class Filling(FillWindow):
         self.assertEqual(self.column(panel, RESULT), ["meets G1"] * 9)
         self.assertGreater(tinted(picture("fill-preview")), MANY)
         whole_window("fill-preview")
+        panel.zebra.setChecked(True)
+        settle()
+        self.assertEqual(zebra.objects(self.doc), [obj])
+        self.assertEqual(tinted(picture("fill-stripes")), 0)
+        whole_window("fill-stripes-window")
         panel.before.setChecked(True)
         settle()
         self.assertEqual(self.visible(), ["Block"])
+        self.assertIn(self.source, zebra.objects(self.doc))
         panel.after.setChecked(True)
         settle()
         self.ok()
+        self.assertEqual(zebra.objects(self.doc), [])
         self.assertIsNone(obj.ViewObject.Proxy.panel)
         self.assertEqual(
             (self.visible(), obj.ViewObject.Proxy.claimChildren()), ([obj.Name], [self.source])

@@ -4,7 +4,6 @@
 from freecad.seamwright.document import match
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.gui.base.replacing_panel import ReplacingPanel
-from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets.forms import make_box, make_summary
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import match_text
@@ -23,22 +22,9 @@ class MatchPanel(ReplacingPanel):
 
     DOCK_WIDTH = 480
 
-    def __init__(self, obj, created):
-        self._striped = []
-        super().__init__(obj, created)
-
     def has_result(self):
         """Return whether the faces match."""
         return bool(self.obj.Matched)
-
-    def release(self):
-        """Stop computing, and remove the stripes."""
-        super().release()
-        self._unstripe()
-
-    def _unstripe(self):
-        zebra.hide([obj for obj in map(self._doc.getObject, self._striped) if obj is not None])
-        self._striped = []
 
     # The window.
 
@@ -70,13 +56,7 @@ class MatchPanel(ReplacingPanel):
         self.table.setFixedHeight((count + 1) * height + 8)
         layout.addWidget(self.table)
         layout.addLayout(self.build_show())
-        self.zebra = QtWidgets.QCheckBox(tr("Zebra stripes"))
-        self.show_line.add(self.zebra)
         return box
-
-    def _connect(self):
-        super()._connect()
-        self.zebra.toggled.connect(lambda *_: self.show(self.wants_result()))
 
     # Actions.
 
@@ -108,14 +88,3 @@ class MatchPanel(ReplacingPanel):
         self._list_sources()
         self._edits += 1
         self.preview()
-
-    def show(self, after):
-        """Show the match or its sources, with stripes if they are wanted."""
-        super().show(after)
-        seen = [self.obj] if after and self.has_result() else self.sources()
-        if not self.zebra.isChecked():
-            self._unstripe()
-            return
-        fresh = [each for each in seen if each not in zebra.objects(self._doc)]
-        if fresh and zebra.show(fresh):
-            self._striped += [each.Name for each in fresh]
