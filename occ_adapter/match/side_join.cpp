@@ -138,6 +138,10 @@ std::vector<Reachable> attemptsOf(const SideMatchOptions& options, const TopoDS_
   return all;
 }
 
+bool reaches(const SideJoin& join, const SeamResult& seam, int order) {
+  return certainlyReaches(seam.figures, join.options.tolerance, levelOfOrder(order));
+}
+
 bool isPiece(const SideJoin& join, const Seam& seam) {
   return std::ranges::any_of(join.pieces, [&](const SidePiece& piece) {
     return std::ranges::count(piece.seam.edges, seam.edges[0]) > 0;
@@ -181,7 +185,7 @@ class SideJoiner {
     for (const SidePiece& piece : join_.pieces) {
       result_.before.push_back(
           measureSeam(piece.seam, analyzeOptionsOf(join_.options, piece.order)));
-      has_levels = has_levels && reaches(result_.before.back(), piece.order);
+      has_levels = has_levels && reaches(join_, result_.before.back(), piece.order);
     }
     result_.after = result_.before;
     announce(0.1);
@@ -222,10 +226,6 @@ class SideJoiner {
  private:
   void announce(double share) const {
     if (progress_ && !progress_(std::min(share, 1.0))) throw Cancelled();
-  }
-
-  bool reaches(const SeamResult& seam, int order) const {
-    return certainlyReaches(seam.figures, join_.options.tolerance, levelOfOrder(order));
   }
 
   TopoDS_Face faceOf(int number) const {
@@ -311,7 +311,7 @@ class SideJoiner {
     for (std::size_t i = 0; i < seams.size(); ++i) {
       const int order = join_.pieces[i].order;
       after.push_back(measureSeam(seams[i], analyzeOptionsOf(join_.options, order)));
-      if (!reaches(after.back(), order))
+      if (!reaches(join_, after.back(), order))
         return match_why::stillMisses(how, figuresText(after.back()));
     }
     if (MatchReason fault = whyDamaged(changes, changed, how); !fault.empty()) return fault;
