@@ -86,6 +86,11 @@ class HelpCase(WindowCase):
         settle()
         self.assertEqual(self.heading(), "Use")
         whole_window("help")
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        settle()
+        self.assertTrue(Gui.Command.get("Seamwright_Help").isActive())
+        obj.ViewObject.Proxy.panel.reject()
+        settle()
 
     def test_links_and_back(self):
         Gui.runCommand("Seamwright_Help")

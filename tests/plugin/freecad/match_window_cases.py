@@ -457,6 +457,13 @@ class Stripes(MatchWindow):
         Gui.runCommand(ZEBRA)
         self.assertEqual(zebra.objects(self.doc), [self.left, self.right])
 
+    def test_stripes_on_a_hidden_object_are_refused(self):
+        self.left.ViewObject.Visibility = False
+        Gui.Selection.addSelection(self.left)
+        Gui.runCommand(ZEBRA)
+        self.assertEqual(messages(), ["Hidden: Left. Show what is to have stripes."])
+        self.assertEqual(zebra.objects(self.doc), [])
+
     def test_stripes_break_at_a_kink_and_run_on_over_a_smooth_seam(self):
         view = Gui.activeDocument().activeView()
         jumps = []

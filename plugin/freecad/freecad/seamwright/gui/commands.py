@@ -230,11 +230,18 @@ class ZebraStripes(Command):
             self._show(visible_with_faces(doc))
 
     def _show(self, objects):
-        if objects:
+        hidden = [obj.Label for obj in objects if not obj.ViewObject.Visibility]
+        if not objects:
+            messages.show_error(tr("No visible object has faces to draw zebra stripes on."))
+        elif len(hidden) == len(objects):
+            messages.show_error(
+                tr("Hidden: {objects}. Show what is to have stripes.").format(
+                    objects=", ".join(hidden)
+                )
+            )
+        else:
             zebra.show(objects)
             Gui.Selection.clearSelection()  # the colour of a selection would cover the stripes
-        else:
-            messages.show_error(tr("No visible object has faces to draw zebra stripes on."))
 
 
 COMMANDS = (

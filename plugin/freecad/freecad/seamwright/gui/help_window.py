@@ -172,6 +172,10 @@ class Help(Command):
     )
     window = None
 
+    def GetResources(self):
+        """Return those of each command; FreeCAD runs this one while a panel is open, too."""
+        return {**super().GetResources(), "CmdType": "ForEdit"}
+
     def IsActive(self):
         """Return True: the pages need no document."""
         return True

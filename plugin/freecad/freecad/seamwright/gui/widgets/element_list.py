@@ -6,7 +6,8 @@ from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain.language import description, tr
 
-LINES = 1.5
+#: The lines that are seen at once, and the room of a line beside its letters, in pixels.
+LINES, ROOM = 2, 6
 
 
 class ElementList(QtWidgets.QWidget):
@@ -30,7 +31,8 @@ class ElementList(QtWidgets.QWidget):
         self.list.setWrapping(True)
         self.list.setResizeMode(QtWidgets.QListView.Adjust)
         self.list.setSpacing(1)
-        self.list.setFixedHeight(int(LINES * (self.list.fontMetrics().height() + 6)))
+        line = self.list.fontMetrics().height() + ROOM
+        self.list.setFixedHeight(LINES * line + 2 * self.list.frameWidth())
         self.list.itemClicked.connect(lambda item: select(item.text()))
         self.add = QtWidgets.QPushButton(tr("Add selected"))
         self.remove = QtWidgets.QPushButton(tr("Remove"))

@@ -1837,6 +1837,10 @@ Gezeigt: {show}</translation>
         <translation>Hilfe</translation>
     </message>
     <message>
+        <source>Hidden: {objects}. Show what is to have stripes.</source>
+        <translation>Ausgeblendet: {objects}. Einblenden, was Streifen haben soll.</translation>
+    </message>
+    <message>
         <source>Highest</source>
         <translation>Höchster</translation>
     </message>

@@ -1836,6 +1836,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Hidden: {objects}. Show what is to have stripes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Highest</source>
         <translation type="unfinished"></translation>
     </message>

@@ -1837,6 +1837,10 @@ Shown: {show}</source>
         <translation>帮助</translation>
     </message>
     <message>
+        <source>Hidden: {objects}. Show what is to have stripes.</source>
+        <translation>已隐藏：{objects}。请先显示要绘制条纹的对象。</translation>
+    </message>
+    <message>
         <source>Highest</source>
         <translation>最高值</translation>
     </message>
