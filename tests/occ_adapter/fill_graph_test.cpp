@@ -13,17 +13,21 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp_Pln.hxx>
 #include <numbers>
+#include <tuple>
 
 #include "fill_checks.hpp"
 #include "shapes.hpp"
 
+#include <seamwright/occ_adapter/fill/face_curvature.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
 
 namespace seamwright::test {
@@ -226,6 +230,34 @@ TEST(Contradiction, IsNamedWithItsAngle) {
   const FillHoleReport kept = occ::fillHole(modelFromShape(shape), hole, {.keep_anyway = true});
   ASSERT_TRUE(kept.filled) << textOf(kept.reason);
   EXPECT_GT(largestAngle_rad(kept.model.shape, kept.faces), 0.45 * degree);
+}
+
+TEST(FillWaves, BendsOfAGraphInClosedForm) {
+  // z = c x^3 over [-10, 10]^2 has the mean curvature 3 c x / (1 + 9 c^2 x^4)^1.5; the outermost
+  // points of the grid have |x| = 9.375.
+  constexpr double c = 1e-4, x = 9.375;
+  TColgp_Array2OfPnt poles(1, 4, 1, 2);
+  const double z[] = {-1000 * c, 1000 * c, -1000 * c, 1000 * c};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 2; ++j) poles(i + 1, j + 1) = gp_Pnt(-10 + 20.0 * i / 3, 20 * j - 10, z[i]);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7);
+  const auto bends = occ::bendsOf({face, face.Reversed()});
+  ASSERT_TRUE(bends.has_value());
+  const double mean = 3 * c * x / std::pow(1 + 9 * c * c * x * x * x * x, 1.5);
+  EXPECT_NEAR(bends->mean_per_mm.upper, mean, 1e-12);
+  EXPECT_NEAR(bends->mean_per_mm.lower, -mean, 1e-12);
+  EXPECT_NEAR(bends->largest_per_mm, 2 * mean, 1e-12);
+}
+
+TEST(FillWaves, AreNamedFromTwiceTheCurvatureAround) {
+  FillHoleReport report;
+  EXPECT_FALSE(report.waves());
+  for (const auto& [around, both_ways, expected] :
+       {std::tuple{0.2, 0.4, 2.0}, {0.2, 0.39, 0.0}, {0.0, 0.4, 0.0}, {0.2, 1.0, 5.0}}) {
+    report.around_curvature_per_mm = around;
+    report.both_ways_per_mm = both_ways;
+    EXPECT_EQ(report.waves().value_or(0), expected) << around << ' ' << both_ways;
+  }
 }
 
 }  // namespace
