@@ -112,7 +112,6 @@ class Enclosure {
   bool isOnOneSide(const PieceBound& relative_curvature) const;
   bool isFoldUnknown(const Piece& piece) const;
   bool isSettled(const Piece& piece) const;
-  std::vector<double> partsOf(const Piece& piece) const;
 
   SideEvaluator a_;
   SideEvaluator b_;
@@ -348,33 +347,11 @@ void Enclosure::lookAtGap(double from, double to) {
   pieces_.push_back(piece);
 }
 
-/// The ends of the parts into which a piece is cut: two halves, but towards a pole at an end of the
-/// seam parts that are each as long as their distance to it. Near a pole only such parts have
-/// bounds.
-std::vector<double> Enclosure::partsOf(const Piece& piece) const {
-  std::vector<double> ends = {piece.from, piece.to};
-  const auto& relative = piece.figures.curvature_rel;
-  const bool has_bounds =
-      std::isfinite(piece.excess) && (!relative || relative->upper < largest_relative_difference);
-  const auto grade = [&](double nearest, double farthest, double end) {
-    double distance = std::max(2 * nearest, pole_piece);
-    for (; distance < farthest / 1.5; distance *= 2)
-      ends.push_back(end == 0 ? distance : 1 - distance);
-  };
-  if (!has_bounds && curvature_range_.lower > 0 && piece.to > 2 * piece.from)
-    grade(piece.from, piece.to, 0);
-  else if (!has_bounds && curvature_range_.upper < 1 && 1 - piece.from > 2 * (1 - piece.to))
-    grade(1 - piece.to, 1 - piece.from, 1);
-  if (ends.size() == 2) ends.push_back(piece.at(0));
-  std::ranges::sort(ends);
-  return ends;
-}
-
 /// If no part of a cut is much better than the whole, rounding has stalled the piece. Next to a
 /// kink of a figure one part is better.
 void Enclosure::cut(const Piece& piece) {
   const std::size_t first = pieces_.size();
-  const std::vector<double> ends = partsOf(piece);
+  const std::vector<double> ends = partsOf(piece, curvature_range_);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) look(ends[i], ends[i + 1]);
   const auto parts = std::span(pieces_).subspan(first);
   const bool better = std::ranges::any_of(

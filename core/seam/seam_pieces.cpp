@@ -219,6 +219,25 @@ SeamFigures Figures::all() const {
 
 }  // namespace
 
+std::vector<double> partsOf(const Piece& piece, const Interval& curvature_range) {
+  std::vector<double> ends = {piece.from, piece.to};
+  const auto& relative = piece.figures.curvature_rel;
+  const bool has_bounds =
+      std::isfinite(piece.excess) && (!relative || relative->upper < largest_relative_difference);
+  const auto grade = [&](double nearest, double farthest, double end) {
+    double distance = std::max(2 * nearest, pole_piece);
+    for (; distance < farthest / 1.5; distance *= 2)
+      ends.push_back(end == 0 ? distance : 1 - distance);
+  };
+  if (!has_bounds && curvature_range.lower > 0 && piece.to > 2 * piece.from)
+    grade(piece.from, piece.to, 0);
+  else if (!has_bounds && curvature_range.upper < 1 && 1 - piece.from > 2 * (1 - piece.to))
+    grade(1 - piece.to, 1 - piece.from, 1);
+  if (ends.size() == 2) ends.push_back(piece.at(0));
+  std::ranges::sort(ends);
+  return ends;
+}
+
 bool isAtPole(const Piece& piece, std::span<const DegeneratePoint> poles,
               const SideLength& length) {
   return std::ranges::any_of(poles, [&](const DegeneratePoint& pole) {

@@ -51,6 +51,11 @@ inline bool mayFold(const Piece& piece, bool faces_on_one_side) {
 /// distinguished from it.
 bool isAtPole(const Piece& piece, std::span<const DegeneratePoint> poles, const SideLength& length);
 
+/// The ends of the parts into which a piece is cut: two halves, but towards a pole at an end of the
+/// seam parts that are each as long as their distance to it. Near a pole only such parts have
+/// bounds. \param curvature_range the seam without the poles at its ends
+std::vector<double> partsOf(const Piece& piece, const Interval& curvature_range);
+
 struct SeamPieces {
   std::vector<Piece> pieces;               ///< they cover the seam, in any order
   std::array<double, Quantities> lower{};  ///< largest values found

@@ -68,10 +68,34 @@ std::string codeOf(MatchFault fault) {
   return match_codes.at(static_cast<std::size_t>(fault));
 }
 
-using enum MatchFault;
+namespace {
+
+/// Of a join that is made, but not kept.
+std::string remedyOfLostJoin(MatchFault fault) {
+  switch (fault) {
+    using enum MatchFault;
+    case LessFair:
+      return "a larger depth, a lower level, or a larger fairness";
+    case MovesTooFar:
+      return "a larger limit of the move";
+    case FoldsOver:
+      return "a larger depth, or let the other face move";
+    case EdgesStray:
+      return "hold the other edges, or match their faces too";
+    case NeighboursApart:
+      return "let one face move instead of both";
+    case ChecksFail:
+      return "let the other face move, or a smaller limit of the move";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
 
 std::string remedyOf(MatchFault fault) {
   switch (fault) {
+    using enum MatchFault;
     case NoCommonBoundary:
     case SideIsFree:
       return "a larger matching distance, or edges that meet";
@@ -101,33 +125,22 @@ std::string remedyOf(MatchFault fault) {
       return "none: no small move makes the faces smooth";
     case JoinRefused:
     case NoExactJoin:
-    case NeighboursApart:
       return "let one face move instead of both";
     case MissesTolerance:
     case StillMisses:
       return "a larger tolerance, a lower level, a larger depth, or hold nothing";
     case DepthTooSmall:
       return "a larger depth";
-    case LessFair:
-      return "a larger depth, a lower level, or a larger fairness";
     case SideEndsAway:
     case SideEndsTilted:
     case SideEndsCurved:
     case SideMoves:
       return "hold nothing, or match the faces beside the boundary first";
-    case MovesTooFar:
-      return "a larger limit of the move";
-    case FoldsOver:
-      return "a larger depth, or let the other face move";
-    case EdgesStray:
-      return "hold the other edges, or match their faces too";
-    case ChecksFail:
-      return "let the other face move, or a smaller limit of the move";
     case OpenCascadeFailed:
     case Failed:
       return "report the model";
     default:
-      return {};
+      return remedyOfLostJoin(fault);
   }
 }
 
